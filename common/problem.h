@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+namespace metamer {
+
+/// One thing wrong with somebody's input, and where. A value, never an exception.
+struct Problem {
+  std::string field;    ///< Path in the scene, "object[2].mesh.file"; empty: not known.
+  std::string file;     ///< The file it stands in, as the user named it; empty: not known.
+  int line = 0;         ///< In `file`, from 1; 0: not known.
+  int column = 0;       ///< In `file`, from 1; 0: not known.
+  std::string message;  ///< One sentence, no capital, no full stop: "radius must be above 0".
+};
+
+/// A value, or what is wrong with the input that it should have come from.
+template <class T>
+using Result = tl::expected<T, Problem>;
+
+/// A problem that has only a message so far; the caller that knows the place adds it.
+inline tl::unexpected<Problem> problem(std::string message) {
+  return tl::unexpected<Problem>({.field = {}, .file = {}, .message = std::move(message)});
+}
+
+/// How a person reads it, as compilers write it: `file:line:column: error: message`, then, where
+/// `source` (the text of `file`) has that line, the line itself and a caret under the column.
+std::string format(const Problem& problem, std::string_view source = {});
+
+/// `; did you mean "tcs09"?` when one of `known` is close to `name` (edit distance at most a third
+/// of its length, at least 1), else an empty string.
+std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);
+
+}  // namespace metamer

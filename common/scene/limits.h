@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+/// What a scene may hold. Each bound has its reason; larger is an error that names the bound.
+namespace metamer::limits {
+
+inline constexpr std::uint32_t max_side = 16384;           ///< Pixels; the largest GL texture.
+inline constexpr std::uint64_t max_pixels = 64u << 20;     ///< 768 MiB of XYZ in the daemon.
+inline constexpr std::uint32_t max_spp = 1024;             ///< A minute a tile is not a preview.
+inline constexpr std::uint32_t max_depth = 32;             ///< 0.9³² = 3 %: nothing more to see.
+inline constexpr std::uint32_t max_threads = 256;
+inline constexpr std::size_t max_lights = 256;             ///< Each costs a shadow ray per sample.
+inline constexpr std::size_t max_materials = 4096;         ///< × 2 spectra × 4,001 × 4 B = 131 MB.
+inline constexpr std::size_t max_objects = 100'000;
+inline constexpr std::size_t max_name = 200;               ///< Characters; they are for people.
+inline constexpr double max_coordinate = 1e15;             ///< Embree aborts beyond 1.8e18.
+inline constexpr std::uint64_t max_asset = 1u << 30;       ///< Ten million triangles as PLY.
+inline constexpr std::uint64_t max_triangles = 50'000'000; ///< 8 GB of BVH.
+
+}  // namespace metamer::limits

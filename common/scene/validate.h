@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "common/problem.h"
+#include "common/spectral/spectrum.h"
+#include "common/spectral/wavelengths.h"
+#include "metamer/v1/scene.pb.h"
+
+namespace metamer {
+
+/// Everything wrong with a scene that can be seen without opening a file, in the scene's order,
+/// each with its field path: numbers that are not finite or out of range, names that are missing,
+/// duplicate or unknown (with "did you mean"), sizes over the limits, wavelengths unsorted or
+/// repeated, degenerate cameras, shapes and transforms. Both sides run it: the client before it
+/// sends, the worker because clients may lie. Empty: the scene is sound.
+/// Parameters of models are checked against models.def by the worker.
+std::vector<Problem> validate_scene(const v1::Scene& scene);
+
+/// The bytes of a file that the scene names, by its name as written there.
+using AssetReader = std::function<Result<std::string>(const std::string& name)>;
+
+/// The spectrum that a message stands for. Errors carry the field path below `field`, or file,
+/// line and column inside an asset. `property`: values must lie in 0..1; else they must not be
+/// negative.
+enum class SpectrumRole { emission, property };
+Result<Spectrum> load_spectrum(const v1::Spectrum& message, const std::string& field,
+                               SpectrumRole role, const AssetReader& assets);
+
+/// Every spectrum of the scene loaded and checked, all problems found. For the client's early check.
+std::vector<Problem> validate_spectra(const v1::Scene& scene, const AssetReader& assets);
+
+}  // namespace metamer

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/spectral/spectrum.h"
+
+/// The CIE's tables, embedded at build time from Debian's colord-data (5 nm; CIE 15). The
+/// binaries do not need that package.
+namespace metamer::cie {
+
+enum class Observer { cie_1931_2deg, cie_1964_10deg };
+
+/// Colour matching functions x̄, ȳ, z̄, 360 to 830 nm (1931) or as tabulated (1964).
+const std::array<Spectrum, 3>& matching_functions(Observer observer);
+
+/// "A" "B" "C" "D50" "D55" "D65" "D93" "E" "F1" … "F12"; null when there is none of that name.
+const Spectrum* illuminant(std::string_view name);
+const std::vector<std::string>& illuminant_names();
+
+/// The 15 test colour samples of the colour rendering index, "TCS01" … "TCS15"; null if unknown.
+const Spectrum* test_color(std::string_view name);
+const std::vector<std::string>& test_color_names();
+
+}  // namespace metamer::cie

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/problem.h"
+#include "common/spectral/spectrum.h"
+
+namespace metamer {
+
+/// One spectrum of a file; `name` is empty where the file gives none.
+struct NamedSpectrum {
+  std::string name;
+  Spectrum spectrum;
+};
+
+/// Reads any of the formats, told apart by their content:
+///   - uniform triplet (Fig. 4-4): first line `from to step`, then one value for each position;
+///   - pairs (Fig. 4-4): lines `wavelength value`;
+///   - CGATS: `.sp` and `.cmf` files, one or several spectra, named by SAMPLE_ID or SAMPLE_NAME.
+/// Lines that begin with # are comments in the first two. `file` is used in errors only, which
+/// name line and column. Bounds: max_spectrum_file bytes, Wavelengths::max_count samples each.
+Result<std::vector<NamedSpectrum>> parse_spectra(std::string_view text, const std::string& file);
+
+inline constexpr std::size_t max_spectrum_file = 16u << 20;  ///< 4,001 samples × 400 spectra.
+
+/// The one named `entry`, or the only one when `entry` is empty. Errors: no such entry (with "did
+/// you mean"), or several and no entry named.
+Result<Spectrum> select_entry(std::vector<NamedSpectrum> spectra, const std::string& entry);
+
+}  // namespace metamer
