@@ -45,10 +45,18 @@ class FrameDecoder {
   /// read any further, and every call gives that error.
   tl::expected<std::optional<std::string>, FrameError> next();
 
+  /// How many bytes the next step needs: those that lack to the header, or to the payload whose
+  /// length is known. A reader that takes no more than these leaves the next frame alone. 0 when
+  /// next() has something to give, or an error.
+  std::size_t missing() const;
+
   /// True when bytes of an unfinished frame are held: the peer stopped in the middle.
   bool in_frame() const { return begin_ < buffer_.size(); }
 
  private:
+  /// The payload's length as the header says it. The header must be there.
+  tl::expected<std::size_t, FrameError> payload_size() const;
+
   std::size_t limit_;
   std::string buffer_;
   std::size_t begin_ = 0;
