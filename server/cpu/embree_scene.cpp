@@ -1,0 +1,277 @@
+#include "server/cpu/embree_scene.h"
+
+#include <limits>
+
+namespace metamer::cpu {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+/// Embree asserts beyond about 1.8e18; validation keeps scenes within 1e15.
+constexpr float far_out = 1e18f;
+
+/// The lanes that Embree can take: comparisons with NaN are false.
+Int8 finite(const Vec8& origin, const Vec8& direction) {
+  const auto within = [](Float8 value, float limit) { return abs(value) <= limit; };
+  return within(origin.x, far_out) & within(origin.y, far_out) & within(origin.z, far_out) &
+         within(direction.x, far_out) & within(direction.y, far_out) &
+         within(direction.z, far_out);
+}
+
+template <class Rays>
+void fill(Rays& rays, const Vec8& origin, const Vec8& direction, Float8 length) {
+  store(rays.org_x, origin.x);
+  store(rays.org_y, origin.y);
+  store(rays.org_z, origin.z);
+  store(rays.dir_x, direction.x);
+  store(rays.dir_y, direction.y);
+  store(rays.dir_z, direction.z);
+  store(rays.tnear, Float8{});
+  store(rays.tfar, length);
+  store(rays.time, Float8{});
+  for (int i = 0; i < lane_count; ++i) rays.mask[i] = ~0u;
+}
+
+RTCIntersectContext coherent_context() {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  return context;
+}
+
+std::array<float, 3> to_array(const Eigen::Vector3d& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
+Eigen::Vector3d to_vector(const std::array<float, 3>& v) {
+  return Eigen::Map<const Eigen::Vector3f>(v.data()).cast<double>();
+}
+
+/// A normal's map to the world: the inverse transpose.
+Eigen::Matrix3d normal_map(const Eigen::Affine3d& to_world) {
+  return to_world.linear().inverse().transpose();
+}
+
+/// Rotation, translation and one scale factor for all directions.
+std::optional<double> uniform_scale(const Eigen::Affine3d& map) {
+  const Eigen::Matrix3d squared = map.linear().transpose() * map.linear();
+  const double scale = squared(0, 0);
+  const bool uniform = (squared - scale * Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <
+                       1e-9 * scale;
+  return uniform ? std::optional(std::sqrt(scale)) : std::nullopt;
+}
+
+RTCGeometry triangles(RTCDevice device, const TriangleMesh& mesh, const Eigen::Affine3d& place) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* vertices = static_cast<std::array<float, 3>*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                              sizeof(std::array<float, 3>), mesh.positions.size()));
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+    vertices[i] = to_array(place * to_vector(mesh.positions[i]));
+  auto* indices = static_cast<std::array<std::uint32_t, 3>*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                              sizeof(std::array<std::uint32_t, 3>), mesh.triangles.size()));
+  std::copy(mesh.triangles.begin(), mesh.triangles.end(), indices);
+  return geometry;
+}
+
+/// Each triangle's three normals, mapped; empty where the mesh is flat.
+std::vector<std::array<std::array<float, 3>, 3>> corner_normals(const TriangleMesh& mesh,
+                                                                const Eigen::Matrix3d& map) {
+  std::vector<std::array<std::array<float, 3>, 3>> corners;
+  if (mesh.normals.empty()) return corners;
+  corners.reserve(mesh.triangles.size());
+  for (const auto& triangle : mesh.triangles) {
+    auto& corner = corners.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i)
+      corner[i] = to_array((map * to_vector(mesh.normals[triangle[i]])).stableNormalized());
+  }
+  return corners;
+}
+
+bool keep_building(void* cancelled, double) {
+  return !static_cast<const std::atomic<bool>*>(cancelled)->load(std::memory_order_relaxed);
+}
+
+}  // namespace
+
+std::optional<EmbreeScene> EmbreeScene::build(const RenderScene& scene,
+                                              const std::atomic<bool>& cancelled) {
+  EmbreeScene result;
+  result.device_.reset(rtcNewDevice("tessellation_cache_size=0"));
+  const RTCDevice device = result.device_.get();
+  const auto new_scene = [&] {
+    RTCScene handle = rtcNewScene(device);
+    rtcSetSceneProgressMonitorFunction(handle, keep_building,
+                                       const_cast<std::atomic<bool>*>(&cancelled));
+    return SceneHandle(handle);
+  };
+  result.scene_ = new_scene();
+
+  // Build the meshes that several objects share, each in its own space.
+  std::vector<unsigned> uses(scene.meshes.size());
+  for (const RenderObject& object : scene.objects)
+    if (object.shape == RenderObject::Shape::mesh) ++uses[object.mesh];
+  result.shared_scenes_.resize(scene.meshes.size());
+  result.shared_normals_.resize(scene.meshes.size());
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    if (uses[i] < 2) continue;
+    result.shared_scenes_[i] = new_scene();
+    RTCGeometry geometry = triangles(device, scene.meshes[i], Eigen::Affine3d::Identity());
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(result.shared_scenes_[i].get(), geometry);
+    rtcReleaseGeometry(geometry);
+    rtcJoinCommitScene(result.shared_scenes_[i].get());
+    result.shared_normals_[i] = corner_normals(scene.meshes[i], Eigen::Matrix3d::Identity());
+    if (cancelled) return std::nullopt;
+  }
+
+  // Place every object.
+  for (const RenderObject& object : scene.objects) {
+    if (object.shape == RenderObject::Shape::sphere)
+      result.add_sphere(object);
+    else if (uses[object.mesh] < 2)
+      result.add_placed(object, scene.meshes[object.mesh]);
+    else
+      result.add_instance(object, result.shared_scenes_[object.mesh].get(),
+                          &result.shared_normals_[object.mesh]);
+  }
+  rtcJoinCommitScene(result.scene_.get());
+  if (cancelled) return std::nullopt;
+  return result;
+}
+
+void EmbreeScene::attach(RTCGeometry geometry, Placed placed) {
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(scene_.get(), geometry, static_cast<unsigned>(placed_.size()));
+  rtcReleaseGeometry(geometry);
+  placed_.push_back(std::move(placed));
+}
+
+void EmbreeScene::add_placed(const RenderObject& object, const TriangleMesh& mesh) {
+  attach(triangles(device_.get(), mesh, object.to_world),
+         {.material = object.material, .normals = corner_normals(mesh, normal_map(object.to_world))});
+}
+
+void EmbreeScene::add_sphere(const RenderObject& object) {
+  const auto scale = uniform_scale(object.to_world);
+  const auto sphere = [&](const Eigen::Vector3d& center, double radius) {
+    RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
+    auto* vertex = static_cast<std::array<float, 4>*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof(std::array<float, 4>), 1));
+    const auto c = to_array(center);
+    *vertex = {c[0], c[1], c[2], static_cast<float>(radius)};
+    return geometry;
+  };
+  if (scale) {
+    attach(sphere(object.to_world.translation(), *scale), {.material = object.material, .normals = {}});
+    return;
+  }
+  // An ellipsoid is an instance of the unit sphere.
+  RTCScene unit = rtcNewScene(device_.get());
+  RTCGeometry geometry = sphere(Eigen::Vector3d::Zero(), 1);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(unit, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcJoinCommitScene(unit);
+  shared_scenes_.emplace_back(unit);
+  add_instance(object, unit, nullptr);
+}
+
+void EmbreeScene::add_instance(const RenderObject& object, RTCScene shared,
+                               const std::vector<CornerNormals>* normals) {
+  RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE);
+  rtcSetGeometryInstancedScene(geometry, shared);
+  const Eigen::Matrix<float, 3, 4, Eigen::RowMajor> map =
+      object.to_world.affine().cast<float>();
+  rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_ROW_MAJOR, map.data());
+  Placed placed{.material = object.material, .normals = {}, .shared = normals, .instance = true};
+  const Eigen::Matrix3d normal = normal_map(object.to_world);
+  for (int row = 0; row < 3; ++row)
+    placed.to_world_normals[static_cast<std::size_t>(row)] = to_array(normal.row(row).transpose());
+  attach(geometry, std::move(placed));
+}
+
+Hits EmbreeScene::intersect(const Vec8& origin, const Vec8& direction, Int8 active) const {
+  // Ask Embree.
+  RTCRayHit8 rays;
+  fill(rays.ray, origin, direction, broadcast(infinity));
+  for (int i = 0; i < lane_count; ++i) {
+    rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  alignas(32) int valid[lane_count];
+  const Int8 sound = active & finite(origin, direction);
+  store(valid, sound);
+  RTCIntersectContext context = coherent_context();
+  rtcIntersect8(valid, scene_.get(), &context, &rays);
+
+  // Read what was hit.
+  Hits hits;
+  hits.hit = sound & (load(rays.hit.geomID) != static_cast<int>(RTC_INVALID_GEOMETRY_ID));
+  hits.distance = load(rays.ray.tfar);
+  hits.geometric_normal = {load(rays.hit.Ng_x), load(rays.hit.Ng_y), load(rays.hit.Ng_z)};
+  hits.normal = hits.geometric_normal;
+  for (int i = 0; i < lane_count; ++i)
+    if (hits.hit[i]) shading_normal(rays, i, hits);
+
+  // Turn the normals to the side that the ray came from.
+  hits.geometric_normal = normalize(hits.geometric_normal);
+  hits.normal = normalize(hits.normal);
+  const Int8 from_behind = dot(hits.geometric_normal, direction) > 0.0f;
+  hits.geometric_normal =
+      select(from_behind, hits.geometric_normal * broadcast(-1), hits.geometric_normal);
+  const Int8 opposed = dot(hits.normal, hits.geometric_normal) < 0.0f;
+  hits.normal = select(opposed, hits.normal * broadcast(-1), hits.normal);
+  return hits;
+}
+
+void EmbreeScene::shading_normal(const RTCRayHit8& rays, int lane, Hits& hits) const {
+  const unsigned instance = rays.hit.instID[0][lane];
+  const bool instanced = instance != RTC_INVALID_GEOMETRY_ID;
+  const Placed& placed = placed_[instanced ? instance : rays.hit.geomID[lane]];
+  hits.material[static_cast<std::size_t>(lane)] = static_cast<int>(placed.material);
+  const auto set = [lane](Vec8& to, const std::array<float, 3>& v) {
+    to.x[lane] = v[0];
+    to.y[lane] = v[1];
+    to.z[lane] = v[2];
+  };
+
+  // Interpolate the corners' normals; E: n = (1 − u − v) n₀ + u n₁ + v n₂.
+  const std::vector<CornerNormals>* normals = instanced ? placed.shared : &placed.normals;
+  if (normals != nullptr && !normals->empty()) {
+    const CornerNormals& corner = (*normals)[rays.hit.primID[lane]];
+    const float u = rays.hit.u[lane], v = rays.hit.v[lane], w = 1 - u - v;
+    std::array<float, 3> normal;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      normal[axis] = w * corner[0][axis] + u * corner[1][axis] + v * corner[2][axis];
+    set(hits.normal, normal);
+  }
+  if (!instanced) return;
+
+  // Bring an instance's normals to the world.
+  const auto to_world = [&](Vec8& to) {
+    std::array<float, 3> normal;
+    for (std::size_t row = 0; row < 3; ++row) {
+      const auto& r = placed.to_world_normals[row];
+      normal[row] = r[0] * to.x[lane] + r[1] * to.y[lane] + r[2] * to.z[lane];
+    }
+    set(to, normal);
+  };
+  to_world(hits.geometric_normal);
+  to_world(hits.normal);
+}
+
+Int8 EmbreeScene::visible(const Vec8& origin, const Vec8& direction, Float8 length,
+                          Int8 active) const {
+  RTCRay8 rays;
+  fill(rays, origin, direction, length);
+  alignas(32) int valid[lane_count];
+  const Int8 sound = active & finite(origin, direction) & (length >= 0.0f);
+  store(valid, sound);
+  RTCIntersectContext context = coherent_context();
+  rtcOccluded8(valid, scene_.get(), &context, &rays);
+  // Embree marks what is hidden with a tfar of minus infinity.
+  return sound & (load(rays.tfar) >= 0.0f);
+}
+
+}  // namespace metamer::cpu

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "server/cpu/lanes.h"
+#include "server/scene/render_scene.h"
+
+namespace metamer::cpu {
+
+/// What eight camera or mirror rays have met.
+struct Hits {
+  Int8 hit;                   ///< Mask.
+  Float8 distance;            ///< Along the ray, where it hit.
+  std::array<int, 8> material;  ///< Index into RenderScene::materials, where it hit.
+  Vec8 geometric_normal;      ///< Unit, on the ray's side.
+  Vec8 normal;                ///< Unit: interpolated where the mesh has normals; on the same side.
+};
+
+/// The geometry in Embree. An object whose mesh no other object shares is placed in the world once
+/// and for all; shared meshes are instances. Immutable and shared by all threads.
+class EmbreeScene {
+ public:
+  /// Nothing when `cancelled` becomes true during the build. Uses the threads of the calling arena.
+  static std::optional<EmbreeScene> build(const RenderScene& scene,
+                                          const std::atomic<bool>& cancelled);
+
+  /// The first hits of eight rays with unit directions. Lanes outside `active`, and rays that are
+  /// not finite, hit nothing and never reach Embree (it would abort).
+  Hits intersect(const Vec8& origin, const Vec8& direction, Int8 active) const;
+
+  /// Which of the segments origin + t direction, 0 < t < length, are free. Inactive lanes and rays
+  /// that are not finite are not.
+  Int8 visible(const Vec8& origin, const Vec8& direction, Float8 length, Int8 active) const;
+
+  RTCScene handle() const { return scene_.get(); }  ///< For benchmarks.
+
+ private:
+  struct ReleaseDevice {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+  };
+  struct ReleaseScene {
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+  };
+  using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice>;
+  using SceneHandle = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScene>;
+
+  /// The three corner normals of a triangle, together in memory because they are read together.
+  using CornerNormals = std::array<std::array<float, 3>, 3>;
+
+  /// An object, by the number of its geometry in the top scene.
+  struct Placed {
+    std::uint32_t material;
+    std::vector<CornerNormals> normals;      ///< In the world; empty: flat, or an instance.
+    const std::vector<CornerNormals>* shared = nullptr;  ///< An instance's, in its own space.
+    bool instance = false;
+    std::array<std::array<float, 3>, 3> to_world_normals{};  ///< Rows; for an instance.
+  };
+
+  EmbreeScene() = default;
+  void add_placed(const RenderObject& object, const TriangleMesh& mesh);
+  void add_sphere(const RenderObject& object);
+  void add_instance(const RenderObject& object, RTCScene shared,
+                    const std::vector<CornerNormals>* normals);
+  void attach(RTCGeometry geometry, Placed placed);
+  void shading_normal(const RTCRayHit8& rays, int lane, Hits& hits) const;
+
+  Device device_;
+  std::vector<SceneHandle> shared_scenes_;
+  std::vector<std::vector<CornerNormals>> shared_normals_;
+  SceneHandle scene_;
+  std::vector<Placed> placed_;
+};
+
+}  // namespace metamer::cpu

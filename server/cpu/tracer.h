@@ -1,0 +1,60 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "metamer/v1/plan.pb.h"
+#include "server/cpu/embree_scene.h"
+#include "server/cpu/sample_pattern.h"
+#include "server/film/film.h"
+#include "server/methods/method.h"
+
+namespace metamer::cpu {
+
+/// Traces rays in packets of eight samples and gathers weights; knows nothing of spectra. A packet
+/// belongs to one pixel, or, below eight samples, to a small block of pixels at a fixed place of
+/// the picture: so the result depends on neither tiles nor threads. Immutable, shared by threads.
+class Tracer {
+ public:
+  /// The references must outlive the tracer.
+  Tracer(const RenderScene& scene, const EmbreeScene& geometry, const Method& method,
+         const v1::Plan& plan);
+
+  /// A thread's working memory.
+  struct Workspace {
+    std::vector<Gather> gathers;  ///< One for each pixel of a block.
+    Method::Scratch scratch;
+    std::uint64_t rays = 0;  ///< Camera, mirror and shadow rays since it was set.
+  };
+  Workspace make_workspace() const;
+
+  /// Renders the pixels of `tile`, whose corner lies on multiples of 8, into the film. Looks at
+  /// `cancelled` before each row of blocks and then leaves the rest as it was; `work` counts pixels.
+  void render(const Rect& tile, const Film& film, Workspace& workspace,
+              const std::atomic<bool>& cancelled, std::atomic<std::uint64_t>& work) const;
+
+ private:
+  struct Packet;
+  struct Light {
+    bool directional;
+    Vec8 place;
+    float reference_squared;  ///< 0: no falloff.
+  };
+
+  void render_block(std::uint32_t x, std::uint32_t y, const Film& film, Workspace& workspace) const;
+  void trace(Packet& packet, Workspace& workspace) const;
+  void shade(const Packet& packet, const Hits& hits, Workspace& workspace) const;
+  void reflect(Packet& packet, const Hits& hits, Workspace& workspace) const;
+
+  const RenderScene& scene_;
+  const EmbreeScene& geometry_;
+  const Method& method_;
+  unsigned depth_, spp_;
+  std::uint32_t block_width_, block_height_;  ///< Pixels of a packet below eight samples; else 1×1.
+  std::vector<SamplePoint> pattern_;
+  std::vector<Light> lights_;
+  Vec8 eye_, corner_, across_, down_;  ///< Direction = corner + x across + y down, x and y in pixels.
+};
+
+}  // namespace metamer::cpu

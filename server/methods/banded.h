@@ -1,0 +1,47 @@
+#pragma once
+
+#include <new>
+
+#include "server/methods/method.h"
+
+namespace metamer {
+
+/// A table of rows of f32, each row padded with zeros to a multiple of 16 and aligned to 64 bytes, so
+/// that loops over a row are whole vectors.
+class BandTable {
+ public:
+  BandTable(std::size_t rows, std::size_t bands);
+  std::size_t stride() const { return stride_; }
+  float* row(std::size_t index) { return values_.get() + index * stride_; }
+  const float* row(std::size_t index) const { return values_.get() + index * stride_; }
+  /// Copies as many values as a row has bands.
+  void set(std::size_t index, const std::vector<double>& values);
+
+ private:
+  struct Free {
+    void operator()(float* p) const { ::operator delete[](p, std::align_val_t{64}); }
+  };
+  std::size_t stride_;
+  std::unique_ptr<float[], Free> values_;
+};
+
+/// Every method whose carrier is a list of independent values, one a band: reflection multiplies
+/// band by band, and XYZ is three dot products. `point` has a band a wavelength, `rgb` has three.
+class BandedMethod : public Method {
+ public:
+  /// `lights`: a row a light of the scene. `properties`: a row a spectrum of the scene.
+  /// `xyz`: three rows, the weights of X, Y and Z.
+  BandedMethod(BandTable lights, BandTable properties, BandTable xyz,
+               const std::vector<RenderMaterial>& materials);
+
+  std::array<float, 3> resolve(const Gather& gather, float scale, Scratch& scratch) const override;
+
+ private:
+  struct Spectra {
+    std::uint32_t diffuse, specular;
+  };
+  BandTable lights_, properties_, xyz_;
+  std::vector<Spectra> materials_;
+};
+
+}  // namespace metamer

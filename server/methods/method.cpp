@@ -1,0 +1,54 @@
+#include "server/methods/method.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "common/color/xyz.h"
+#include "common/scene/settings.h"
+#include "server/methods/point.h"
+#include "server/methods/rgb.h"
+
+namespace metamer {
+
+std::unique_ptr<Method> make_method(const v1::Plan& plan, const RenderScene& scene) {
+  switch (plan.method().method_case()) {
+    case v1::Method::kPoint:
+      return make_point(plan, scene);
+    case v1::Method::kRgb:
+      return make_rgb(plan, scene);
+    case v1::Method::METHOD_NOT_SET:
+      break;
+  }
+  assert(!"a plan names its method");
+  return nullptr;
+}
+
+Wavelengths method_wavelengths(const v1::Method& method) {
+  switch (method.method_case()) {
+    case v1::Method::kPoint:
+      return *point_wavelengths(method.point());
+    case v1::Method::kRgb:
+    case v1::Method::METHOD_NOT_SET:
+      break;
+  }
+  return rgb_wavelengths();
+}
+
+std::size_t method_bands(const v1::Method& method) {
+  return method.has_rgb() ? 3 : method_wavelengths(method).size();
+}
+
+void notice_dark_lights(const RenderScene& scene, const v1::Settings& settings,
+                        const Wavelengths& wavelengths, v1::Plan& plan) {
+  const ObserverWeights observer = observer_weights(to_observer(settings.observer()), wavelengths);
+  for (const RenderLight& light : scene.lights) {
+    const Spectrum& emission = scene.emissions[light.emission];
+    const auto power = resample(emission, wavelengths.nm(), Outside::zero).values;
+    if (luminance_scale(observer, power, light.luminance) > 0 || light.luminance == 0) continue;
+    v1::Notice* notice = plan.add_notice();
+    notice->set_field(scene.emission_fields[light.emission]);
+    notice->set_message("light \"" + light.name + "\" stays dark: the observer sees nothing of it at these wavelengths");
+  }
+}
+
+}  // namespace metamer

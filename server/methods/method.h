@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "common/spectral/wavelengths.h"
+#include "metamer/v1/plan.pb.h"
+#include "server/methods/gather.h"
+#include "server/scene/render_scene.h"
+
+namespace metamer {
+
+/// How colour is carried: turns what a pixel gathered into XYZ. Its tables are made once from a
+/// scene and a plan; after that it is immutable and serves all threads.
+class Method {
+ public:
+  virtual ~Method() = default;
+
+  /// A thread's own working memory.
+  using Scratch = std::vector<float>;
+
+  /// The light of one pixel, X Y Z, `scale` times the sums of `gather` (1 / samples).
+  virtual std::array<float, 3> resolve(const Gather& gather, float scale,
+                                       Scratch& scratch) const = 0;
+};
+
+std::unique_ptr<Method> make_method(const v1::Plan& plan, const RenderScene& scene);
+
+/// The wavelengths at which a method reads the spectra, its defaults filled in.
+Wavelengths method_wavelengths(const v1::Method& method);
+
+/// The values that its carrier holds.
+std::size_t method_bands(const v1::Method& method);
+
+/// Adds a notice for each light of which the observer sees nothing at these wavelengths: it has
+/// power somewhere, and the picture would be dark without a word.
+void notice_dark_lights(const RenderScene& scene, const v1::Settings& settings,
+                        const Wavelengths& wavelengths, v1::Plan& plan);
+
+}  // namespace metamer

@@ -1,0 +1,83 @@
+#include "server/plan/plan.h"
+
+#include <algorithm>
+#include <set>
+
+#include "common/scene/settings.h"
+#include "server/methods/method.h"
+#include "server/models/models.h"
+
+namespace metamer {
+namespace {
+
+/// No path is longer than the mirrors of the scene make it.
+std::uint32_t needed_depth(const RenderScene& scene, std::uint32_t allowed) {
+  const bool mirrors = std::any_of(
+      scene.objects.begin(), scene.objects.end(),
+      [&](const RenderObject& object) { return scene.materials[object.material].mirror > 0; });
+  return mirrors ? allowed : 0;
+}
+
+void list_models(const RenderScene& scene, v1::Plan& plan) {
+  std::set<models::Model> used;
+  for (const RenderObject& object : scene.objects) used.insert(scene.materials[object.material].model);
+  for (const models::ModelInfo& info : models::registry())
+    if (used.contains(info.model)) plan.add_models(info.name);
+}
+
+/// Says where a spectrum has no data at the method's wavelengths.
+void notice_gaps(const Spectrum& spectrum, const std::string& field, Outside outside,
+                 const Wavelengths& wavelengths, v1::Plan& plan) {
+  const Resampled resampled = resample(spectrum, wavelengths.nm(), outside);
+  const auto say = [&](std::size_t count, const char* side, double end) {
+    if (count == 0) return;
+    v1::Notice* notice = plan.add_notice();
+    notice->set_field(field);
+    char text[160];
+    std::snprintf(text, sizeof text, "%zu of %zu wavelengths lie %s its data (%g nm): %s", count,
+                  wavelengths.size(), side, end,
+                  outside == Outside::zero ? "0 there" : "its end value there");
+    notice->set_message(text);
+  };
+  // A constant is written as one sample and holds everywhere.
+  if (spectrum.nm.size() == 1 && outside == Outside::hold) return;
+  say(resampled.below, "below", spectrum.nm.front());
+  say(resampled.above, "above", spectrum.nm.back());
+}
+
+}  // namespace
+
+v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
+                   const Capabilities& capabilities) {
+  v1::Plan plan;
+  plan.set_width(settings.width());
+  plan.set_height(settings.height());
+  plan.set_tile_size(settings.tile_size());
+  plan.set_spp(settings.spp());
+  plan.set_depth(needed_depth(scene, settings.depth()));
+  plan.set_threads(settings.threads() == 0 ? capabilities.threads
+                                           : std::min(settings.threads(), capabilities.threads));
+  plan.set_backend("cpu");
+  *plan.mutable_method() = settings.method();
+  plan.set_observer(settings.observer());
+
+  const Wavelengths wavelengths = method_wavelengths(settings.method());
+  plan.set_from(wavelengths.nm().front());
+  plan.set_to(wavelengths.nm().back());
+  plan.set_bands(static_cast<std::uint32_t>(method_bands(settings.method())));
+
+  list_models(scene, plan);
+  plan.set_lights(static_cast<std::uint32_t>(scene.lights.size()));
+  plan.set_materials(static_cast<std::uint32_t>(scene.materials.size()));
+  plan.set_spectra(static_cast<std::uint32_t>(scene.emissions.size() + scene.properties.size()));
+  plan.set_triangles(scene.triangle_count());
+
+  for (std::size_t i = 0; i < scene.emissions.size(); ++i)
+    notice_gaps(scene.emissions[i], scene.emission_fields[i], Outside::zero, wavelengths, plan);
+  for (std::size_t i = 0; i < scene.properties.size(); ++i)
+    notice_gaps(scene.properties[i], scene.property_fields[i], Outside::hold, wavelengths, plan);
+  notice_dark_lights(scene, settings, wavelengths, plan);
+  return plan;
+}
+
+}  // namespace metamer

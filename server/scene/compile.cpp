@@ -1,0 +1,217 @@
+#include "server/scene/compile.h"
+
+#include <google/protobuf/descriptor.h>
+
+#include <map>
+
+#include "server/models/models.h"
+#include "server/scene/mesh_import.h"
+#include "server/scene/placement.h"
+
+namespace metamer {
+namespace {
+
+/// A number as people write it: 60, 0.5, 1e+06.
+std::string shown(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
+/// Builds one scene and gathers what is wrong with it.
+class Compiler {
+ public:
+  Compiler(const v1::Scene& scene, const AssetReader& assets, const std::atomic<bool>& cancelled)
+      : scene_(scene), assets_(assets), cancelled_(cancelled) {}
+
+  tl::expected<RenderScene, std::vector<Problem>> run() {
+    problems_ = validate_scene(scene_);
+    if (!problems_.empty()) return tl::unexpected(std::move(problems_));
+    camera();
+    for (int i = 0; i < scene_.light_size(); ++i) light(i);
+    for (int i = 0; i < scene_.material_size(); ++i) material(i);
+    for (int i = 0; i < scene_.object_size() && !cancelled_; ++i) object(i);
+    if (cancelled_ || !problems_.empty()) return tl::unexpected(std::move(problems_));
+    return std::move(result_);
+  }
+
+ private:
+  using SpectrumIndex = std::map<std::string, std::uint32_t>;
+
+  void camera() {
+    const v1::Camera& camera = scene_.camera();
+    const Eigen::Vector3d up =
+        camera.has_up() ? to_vector(camera.up()) : Eigen::Vector3d::UnitY();
+    RenderCamera& to = result_.camera;
+    to.eye = to_vector(camera.eye());
+    to.forward = (to_vector(camera.target()) - to.eye).normalized();
+    to.right = to.forward.cross(up).normalized();
+    to.up = to.right.cross(to.forward);
+    const double fov = camera.has_vertical_fov() ? camera.vertical_fov() : 35;
+    to.tan_half_fov = std::tan(fov * EIGEN_PI / 360);
+  }
+
+  void light(int index) {
+    const v1::Light& light = scene_.light(index);
+    const std::string field = "light[" + std::to_string(index) + "]";
+    const bool directional = light.where_case() == v1::Light::kDirection;
+    result_.lights.push_back(
+        {.name = light.name(),
+         .directional = directional,
+         .place = directional ? Eigen::Vector3d(-to_vector(light.direction()).normalized())
+                              : to_vector(light.position()),
+         .reference_distance = light.reference_distance(),
+         .luminance = light.has_luminance() ? light.luminance() : 1,
+         .emission = spectrum(light.spectrum(), field + ".spectrum", SpectrumRole::emission)});
+  }
+
+  void material(int index) {
+    const v1::Material& material = scene_.material(index);
+    const std::string field = "material[" + std::to_string(index) + "]";
+    RenderMaterial to{.name = material.name(),
+                      .model = models::Model::lambert,
+                      .parameters = {},
+                      .diffuse = property(material.has_diffuse(), material.diffuse(), 0,
+                                          field + ".diffuse"),
+                      .specular = property(material.has_specular(), material.specular(), 1,
+                                           field + ".specular"),
+                      .mirror = static_cast<float>(material.mirror())};
+    to.parameters[0] = material.has_diffuseness() ? static_cast<float>(material.diffuseness()) : 1;
+    to.parameters[1] = static_cast<float>(material.specularness());
+    model(material, field, to);
+    result_.materials.push_back(std::move(to));
+  }
+
+  /// Reads the material's model by the names of models.def: schema and table agree by construction.
+  void model(const v1::Material& material, const std::string& field, RenderMaterial& to) {
+    const auto* oneof = v1::Material::descriptor()->FindOneofByName("model");
+    const auto* chosen = material.GetReflection()->GetOneofFieldDescriptor(material, oneof);
+    if (chosen == nullptr) return;
+    const google::protobuf::Message& own = material.GetReflection()->GetMessage(material, chosen);
+    for (const models::ModelInfo& info : models::registry()) {
+      if (info.number != chosen->number()) continue;
+      to.model = info.model;
+      for (std::size_t i = 0; i < info.parameters.size(); ++i)
+        to.parameters[2 + i] = parameter(own, info.parameters[i], field + "." + info.name);
+    }
+  }
+
+  float parameter(const google::protobuf::Message& own, const models::ParameterInfo& info,
+                  const std::string& field) {
+    const auto* member = own.GetDescriptor()->FindFieldByName(info.name);
+    if (!own.GetReflection()->HasField(own, member)) return static_cast<float>(info.default_value);
+    const double value = own.GetReflection()->GetDouble(own, member);
+    if (!(value >= info.min && value <= info.max))
+      add(field + "." + info.name,
+          std::string(info.name) + " must lie in " + shown(info.min) + " to " + shown(info.max) +
+              " (it is " + shown(value) + "); the nearest allowed value is " +
+              shown(value < info.min ? info.min : info.max));
+    return static_cast<float>(value);
+  }
+
+  std::uint32_t property(bool given, const v1::Spectrum& message, double otherwise,
+                         const std::string& field) {
+    if (given) return spectrum(message, field, SpectrumRole::property);
+    v1::Spectrum constant;
+    constant.set_constant(otherwise);
+    return spectrum(constant, field, SpectrumRole::property);
+  }
+
+  /// The index of a spectrum, loaded the first time that it is named.
+  std::uint32_t spectrum(const v1::Spectrum& message, const std::string& field, SpectrumRole role) {
+    const bool emission = role == SpectrumRole::emission;
+    auto& known = emission ? known_emissions_ : known_properties_;
+    auto& spectra = emission ? result_.emissions : result_.properties;
+    auto& fields = emission ? result_.emission_fields : result_.property_fields;
+    const auto [place, is_new] = known.try_emplace(message.SerializeAsString(),
+                                                   static_cast<std::uint32_t>(spectra.size()));
+    if (is_new) {
+      auto loaded = load_spectrum(message, field, role, assets_);
+      if (!loaded) problems_.push_back(std::move(loaded.error()));
+      spectra.push_back(loaded ? std::move(*loaded) : Spectrum{{550}, {0}});
+      fields.push_back(field);
+    }
+    return place->second;
+  }
+
+  void object(int index) {
+    const v1::Object& object = scene_.object(index);
+    RenderObject to{.name = object.name(),
+                    .shape = RenderObject::Shape::mesh,
+                    .mesh = 0,
+                    .material = material_named(object.material()),
+                    .to_world = placement(object.transform())};
+    switch (object.shape_case()) {
+      case v1::Object::kMesh:
+        to.mesh = mesh(object.mesh().file(), "object[" + std::to_string(index) + "].mesh.file");
+        break;
+      case v1::Object::kQuad:
+        to.mesh = quad(object.quad());
+        break;
+      case v1::Object::kSphere:
+        to.shape = RenderObject::Shape::sphere;
+        to.to_world.translate(to_vector(object.sphere().center()));
+        to.to_world.scale(object.sphere().radius());
+        break;
+      case v1::Object::SHAPE_NOT_SET:
+        return;
+    }
+    result_.objects.push_back(std::move(to));
+  }
+
+  std::uint32_t mesh(const std::string& file, const std::string& field) {
+    const auto [place, is_new] =
+        known_meshes_.try_emplace(file, static_cast<std::uint32_t>(result_.meshes.size()));
+    if (is_new) {
+      auto imported = import_mesh(file, assets_);
+      if (!imported) {
+        imported.error().field = field;
+        problems_.push_back(std::move(imported.error()));
+      }
+      result_.meshes.push_back(imported ? std::move(*imported) : TriangleMesh{});
+    }
+    return place->second;
+  }
+
+  std::uint32_t quad(const v1::Quad& quad) {
+    const Eigen::Vector3d corner = to_vector(quad.corner());
+    const Eigen::Vector3d u = to_vector(quad.u()), v = to_vector(quad.v());
+    TriangleMesh mesh;
+    for (const Eigen::Vector3d& p : {corner, Eigen::Vector3d(corner + u),
+                                     Eigen::Vector3d(corner + u + v), Eigen::Vector3d(corner + v)})
+      mesh.positions.push_back({static_cast<float>(p.x()), static_cast<float>(p.y()),
+                                static_cast<float>(p.z())});
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    result_.meshes.push_back(std::move(mesh));
+    return static_cast<std::uint32_t>(result_.meshes.size() - 1);
+  }
+
+  std::uint32_t material_named(const std::string& name) {
+    if (known_materials_.empty())
+      for (int i = 0; i < scene_.material_size(); ++i)
+        known_materials_[scene_.material(i).name()] = static_cast<std::uint32_t>(i);
+    return known_materials_.at(name);  // validate_scene has seen to it
+  }
+
+  void add(std::string field, std::string message) {
+    problems_.push_back({.field = std::move(field), .file = {}, .message = std::move(message)});
+  }
+
+  const v1::Scene& scene_;
+  const AssetReader& assets_;
+  const std::atomic<bool>& cancelled_;
+  RenderScene result_;
+  std::vector<Problem> problems_;
+  SpectrumIndex known_emissions_, known_properties_;
+  std::map<std::string, std::uint32_t> known_meshes_, known_materials_;
+};
+
+}  // namespace
+
+tl::expected<RenderScene, std::vector<Problem>> compile_scene(const v1::Scene& scene,
+                                                        const AssetReader& assets,
+                                                        const std::atomic<bool>& cancelled) {
+  return Compiler(scene, assets, cancelled).run();
+}
+
+}  // namespace metamer

@@ -1,0 +1,140 @@
+#include "server/scene/mesh_import.h"
+
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <assimp/IOStream.hpp>
+#include <assimp/IOSystem.hpp>
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "common/scene/limits.h"
+
+namespace metamer {
+namespace {
+
+/// An asset's bytes, as Assimp reads files.
+class AssetStream : public Assimp::IOStream {
+ public:
+  explicit AssetStream(std::string bytes) : bytes_(std::move(bytes)) {}
+
+  size_t Read(void* to, size_t size, size_t count) override {
+    if (size == 0) return 0;
+    const size_t whole = std::min(count, (bytes_.size() - position_) / size);
+    std::memcpy(to, bytes_.data() + position_, whole * size);
+    position_ += whole * size;
+    return whole;
+  }
+  size_t Write(const void*, size_t, size_t) override { return 0; }
+  aiReturn Seek(size_t offset, aiOrigin origin) override {
+    const size_t base = origin == aiOrigin_SET ? 0
+                        : origin == aiOrigin_CUR ? position_
+                                                 : bytes_.size();
+    if (offset > bytes_.size() - base) return aiReturn_FAILURE;
+    position_ = base + offset;
+    return aiReturn_SUCCESS;
+  }
+  size_t Tell() const override { return position_; }
+  size_t FileSize() const override { return bytes_.size(); }
+  void Flush() override {}
+
+ private:
+  std::string bytes_;
+  size_t position_ = 0;
+};
+
+/// Gives Assimp the job's assets and no other file.
+class AssetSystem : public Assimp::IOSystem {
+ public:
+  explicit AssetSystem(const AssetReader& assets) : assets_(assets) {}
+
+  bool Exists(const char* name) const override { return assets_(normal(name)).has_value(); }
+  char getOsSeparator() const override { return '/'; }
+  Assimp::IOStream* Open(const char* name, const char* mode) override {
+    if (std::strchr(mode, 'r') == nullptr) return nullptr;
+    auto bytes = assets_(normal(name));
+    return bytes ? new AssetStream(std::move(*bytes)) : nullptr;
+  }
+  void Close(Assimp::IOStream* stream) override { delete stream; }
+
+ private:
+  static std::string normal(const char* name) {
+    return std::filesystem::path(name).lexically_normal().generic_string();
+  }
+  const AssetReader& assets_;
+};
+
+bool usable(const aiVector3D& v) {
+  const auto limit = static_cast<float>(limits::max_coordinate);
+  return std::abs(v.x) <= limit && std::abs(v.y) <= limit && std::abs(v.z) <= limit;
+}
+
+/// Appends one mesh of a file to the joined one. Error: a vertex or normal that is not usable.
+Result<void> append(const aiMesh& from, TriangleMesh& to) {
+  const auto base = static_cast<std::uint32_t>(to.positions.size());
+  for (unsigned i = 0; i < from.mNumVertices; ++i) {
+    if (!usable(from.mVertices[i]))
+      return problem("vertex " + std::to_string(base + i) + " is not finite or too far out");
+    const aiVector3D& position = from.mVertices[i];
+    to.positions.push_back({position.x, position.y, position.z});
+    aiVector3D normal = from.mNormals[i];
+    // A vertex of zero-area triangles alone has no normal; Assimp writes NaN there.
+    if (!std::isfinite(normal.SquareLength()) || normal.SquareLength() == 0) normal = {0, 0, 0};
+    normal.NormalizeSafe();
+    to.normals.push_back({normal.x, normal.y, normal.z});
+  }
+  for (unsigned i = 0; i < from.mNumFaces; ++i) {
+    const aiFace& face = from.mFaces[i];
+    if (face.mNumIndices != 3) continue;
+    std::array<std::uint32_t, 3> triangle;
+    for (unsigned corner = 0; corner < 3; ++corner) {
+      if (face.mIndices[corner] >= from.mNumVertices)
+        return problem("a triangle names vertex " + std::to_string(face.mIndices[corner]) +
+                       " of " + std::to_string(from.mNumVertices));
+      triangle[corner] = base + face.mIndices[corner];
+    }
+    to.triangles.push_back(triangle);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<TriangleMesh> import_mesh(const std::string& name, const AssetReader& assets) {
+  // Let Assimp read the file: one node, triangles only, normals where the file has none.
+  Assimp::Importer importer;
+  importer.SetIOHandler(new AssetSystem(assets));
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  const aiScene* scene = importer.ReadFile(
+      name, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_JoinIdenticalVertices |
+                aiProcess_GenSmoothNormals | aiProcess_PreTransformVertices);
+  const auto fail = [&](std::string message) {
+    return tl::unexpected(Problem{.field = {}, .file = name, .message = std::move(message)});
+  };
+  if (scene == nullptr) {
+    const std::string reason = importer.GetErrorString();
+    if (reason.find("empty") != std::string::npos || reason.find("no meshes") != std::string::npos)
+      return fail("holds no triangles");
+    return fail("can't be read as a mesh: " + reason);
+  }
+
+  // Count before copying.
+  std::uint64_t triangles = 0;
+  for (unsigned i = 0; i < scene->mNumMeshes; ++i) triangles += scene->mMeshes[i]->mNumFaces;
+  if (triangles > limits::max_triangles)
+    return fail("holds " + std::to_string(triangles) + " triangles; at most " +
+                std::to_string(limits::max_triangles) + " are allowed");
+
+  // Join its meshes.
+  TriangleMesh mesh;
+  for (unsigned i = 0; i < scene->mNumMeshes; ++i)
+    if (auto appended = append(*scene->mMeshes[i], mesh); !appended)
+      return fail(std::move(appended.error().message));
+  if (mesh.triangles.empty()) return fail("holds no triangles");
+  return mesh;
+}
+
+}  // namespace metamer

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "metamer/v1/scene.pb.h"
+
+namespace metamer {
+
+inline Eigen::Vector3d to_vector(const v1::Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+/// An object's steps as one map, the first step applied first.
+inline Eigen::Affine3d placement(const google::protobuf::RepeatedPtrField<v1::Transform>& steps) {
+  Eigen::Affine3d map = Eigen::Affine3d::Identity();
+  for (const auto& step : steps) {
+    switch (step.step_case()) {
+      case v1::Transform::kTranslate:
+        map.pretranslate(to_vector(step.translate()));
+        break;
+      case v1::Transform::kScale:
+        map.prescale(to_vector(step.scale()));
+        break;
+      case v1::Transform::kRotate: {
+        constexpr double radians = EIGEN_PI / 180;
+        map.prerotate(Eigen::AngleAxisd(step.rotate().degrees() * radians,
+                                        to_vector(step.rotate().axis()).normalized()));
+        break;
+      }
+      case v1::Transform::kMatrix: {
+        Eigen::Affine3d matrix = Eigen::Affine3d::Identity();
+        for (int row = 0; row < 3; ++row)
+          for (int column = 0; column < 4; ++column)
+            matrix(row, column) = step.matrix().row_major(row * 4 + column);
+        map = matrix * map;
+        break;
+      }
+      case v1::Transform::STEP_NOT_SET:
+        break;
+    }
+  }
+  return map;
+}
+
+}  // namespace metamer

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "common/spectral/spectrum.h"
+#include "server/models/models.h"
+
+namespace metamer {
+
+/// Triangles in their own space. All positions are finite.
+struct TriangleMesh {
+  std::vector<std::array<float, 3>> positions;
+  std::vector<std::array<float, 3>> normals;  ///< One for each position, unit; empty: flat.
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+struct RenderCamera {
+  Eigen::Vector3d eye;
+  Eigen::Vector3d forward, right, up;  ///< Orthonormal.
+  double tan_half_fov;                 ///< Of the vertical field of view.
+};
+
+struct RenderLight {
+  std::string name;
+  bool directional;
+  Eigen::Vector3d place;      ///< The position; or, if directional, the unit direction towards it.
+  double reference_distance;  ///< 0: the luminance holds at every distance.
+  double luminance;
+  std::uint32_t emission;     ///< Index into RenderScene::emissions.
+};
+
+struct RenderMaterial {
+  std::string name;
+  models::Model model;
+  models::Parameters parameters;
+  std::uint32_t diffuse, specular;  ///< Indices into RenderScene::properties.
+  float mirror;                     ///< Weight of the mirror reflection, coloured by `specular`.
+};
+
+struct RenderObject {
+  enum class Shape { mesh, sphere };  ///< A sphere is the unit sphere, placed by its transform.
+  std::string name;
+  Shape shape;
+  std::uint32_t mesh;  ///< Index into RenderScene::meshes, for a mesh.
+  std::uint32_t material;
+  Eigen::Affine3d to_world;
+};
+
+/// A scene as a backend wants it: flat arrays, every name resolved to an index, every spectrum
+/// loaded once. Holds nothing of methods, wavelengths or threads. Immutable once compiled.
+struct RenderScene {
+  RenderCamera camera;
+  std::vector<RenderLight> lights;
+  std::vector<RenderMaterial> materials;
+  std::vector<RenderObject> objects;
+  std::vector<TriangleMesh> meshes;  ///< Distinct files and quads.
+  std::vector<Spectrum> emissions;   ///< Distinct spectra of the lights, relative power.
+  std::vector<Spectrum> properties;  ///< Distinct spectra of the materials, 0..1.
+
+  /// The field of the scene that a spectrum was first named in: "material[3].diffuse".
+  std::vector<std::string> emission_fields, property_fields;
+
+  std::uint64_t triangle_count() const {
+    std::uint64_t n = 0;
+    for (const auto& mesh : meshes) n += mesh.triangles.size();
+    return n;
+  }
+};
+
+}  // namespace metamer

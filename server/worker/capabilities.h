@@ -1,0 +1,10 @@
+#pragma once
+
+#include "metamer/v1/session.pb.h"
+
+namespace metamer {
+
+/// What this worker can do, as clients learn it: models.def as data, and the methods of the schema.
+v1::Capabilities capabilities(unsigned threads);
+
+}  // namespace metamer

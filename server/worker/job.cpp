@@ -1,0 +1,217 @@
+#include "server/worker/job.h"
+
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <fstream>
+#include <map>
+
+#include "common/digest.h"
+#include "common/scene/limits.h"
+#include "common/scene/settings.h"
+#include "server/cpu/tracer.h"
+#include "server/methods/method.h"
+#include "server/scene/compile.h"
+
+namespace metamer {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// An asset's bytes from the store. The daemon has checked digest and size.
+Result<std::string> read_stored(const std::filesystem::path& store, const std::string& digest) {
+  const auto known = digest_from_bytes(digest);
+  if (!known) return problem("has no digest");
+  const std::filesystem::path file = store / to_hex(*known);
+  std::error_code error;
+  const auto size = std::filesystem::file_size(file, error);
+  if (error) return problem("is not in the store");
+  if (size > limits::max_asset) return problem("is too large");
+  std::string bytes(size, '\0');
+  std::ifstream in(file, std::ios::binary);
+  if (!in.read(bytes.data(), static_cast<std::streamsize>(size))) return problem("can't be read");
+  return bytes;
+}
+
+/// The job's assets by the names that its scene uses.
+AssetReader reader(const v1::CompileJob& message, const std::filesystem::path& store) {
+  std::map<std::string, std::string> digests;
+  for (const v1::AssetName& asset : message.asset()) digests[asset.name()] = asset.sha256();
+  return [digests = std::move(digests), store](const std::string& name) -> Result<std::string> {
+    const auto found = digests.find(name);
+    auto bytes = found == digests.end() ? problem("was not sent along")
+                                        : read_stored(store, found->second);
+    if (!bytes) bytes.error().file = name;
+    return bytes;
+  };
+}
+
+/// The film's memory, mapped for as long as this lives.
+class MappedFilm {
+ public:
+  MappedFilm(int descriptor, const v1::Plan& plan)
+      : size_(std::size_t{plan.width()} * plan.height() * 3 * sizeof(float)) {
+    struct stat status;
+    if (fstat(descriptor, &status) != 0 || static_cast<std::size_t>(status.st_size) < size_) return;
+    memory_ = mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
+  }
+  ~MappedFilm() {
+    if (*this) munmap(memory_, size_);
+  }
+  MappedFilm(const MappedFilm&) = delete;
+  MappedFilm& operator=(const MappedFilm&) = delete;
+  explicit operator bool() const { return memory_ != MAP_FAILED; }
+  float* xyz() const { return static_cast<float*>(memory_); }
+
+ private:
+  std::size_t size_;
+  void* memory_ = MAP_FAILED;
+};
+
+/// A tile as the tracer wants it: inside the picture, its corner on multiples of 8.
+bool is_sound(const v1::TileRect& tile, const v1::Plan& plan) {
+  return tile.x() % 8 == 0 && tile.y() % 8 == 0 && tile.width() > 0 && tile.height() > 0 &&
+         tile.x() < plan.width() && tile.width() <= plan.width() - tile.x() &&
+         tile.y() < plan.height() && tile.height() <= plan.height() - tile.y();
+}
+
+}  // namespace
+
+Job::Job(std::uint64_t id, const WorkerOptions& options, Link& link, Work& work)
+    : id_(id), options_(options), link_(link), work_(work) {}
+
+Job::~Job() = default;
+
+void Job::compile(const v1::CompileJob& message) {
+  const auto start = Clock::now();
+
+  // Parse the scene, with the defaults of its settings filled in.
+  auto bytes = read_stored(options_.store, message.scene_sha256());
+  v1::Scene scene;
+  if (!bytes || !scene.ParseFromString(*bytes))
+    return send_failure(v1::Failed::BAD_INPUT, "the scene's bytes are no scene");
+  *scene.mutable_settings() = with_defaults(scene.settings());
+  ++work_;
+
+  // Compile it: names, spectra and meshes become flat arrays.
+  auto compiled = compile_scene(scene, reader(message, options_.store), stopped_);
+  ++work_;
+  if (stopped_) return send_stopped();
+  if (!compiled) return send_problems(compiled.error());
+  scene_ = std::make_unique<RenderScene>(std::move(*compiled));
+
+  // Plan, and let the daemon decide.
+  plan_ = make_plan(*scene_, scene.settings(), {.threads = options_.threads});
+  plan_.set_scene_digest(message.scene_sha256());
+  timing_.set_compile(seconds_since(start));
+  v1::WorkerEnvelope planned = envelope();
+  *planned.mutable_planned()->mutable_plan() = plan_;
+  link_.send(planned);
+}
+
+void Job::render(const v1::RenderTiles& message) {
+  for (const v1::TileRect& tile : message.tile())
+    if (!is_sound(tile, plan_)) return send_failure(v1::Failed::SERVER, "a tile outside the plan");
+  const MappedFilm film(options_.film_descriptor, plan_);
+  if (!film) return send_failure(v1::Failed::SERVER, "no shared memory for the picture");
+
+  // Prepare the method's tables.
+  const auto prepare_start = Clock::now();
+  const std::unique_ptr<Method> method = make_method(plan_, *scene_);
+  timing_.set_prepare(seconds_since(prepare_start));
+  ++work_;
+
+  if (!render_tiles(message, {film.xyz(), plan_.width(), plan_.height()}, *method))
+    return send_stopped();
+  v1::WorkerEnvelope done = envelope();
+  *done.mutable_done()->mutable_timing() = timing_;
+  send_last(done);
+}
+
+bool Job::render_tiles(const v1::RenderTiles& message, const Film& film, const Method& method) {
+  tbb::task_arena arena(static_cast<int>(plan_.threads()));
+  return arena.execute([&] {
+    // Build the acceleration structure.
+    const auto build_start = Clock::now();
+    const auto geometry = cpu::EmbreeScene::build(*scene_, stopped_);
+    if (!geometry) return false;
+    timing_.set_acceleration(seconds_since(build_start));
+    ++work_;
+
+    // Let each thread take the next tile, so that they are begun in the daemon's order.
+    const auto start = Clock::now();
+    const cpu::Tracer tracer(*scene_, *geometry, method, plan_);
+    std::atomic<int> next = 0;
+    std::atomic<std::uint64_t> rays = 0;
+    tbb::parallel_for(0u, plan_.threads(), [&](unsigned) {
+      cpu::Tracer::Workspace workspace = tracer.make_workspace();
+      for (int i = next++; i < message.tile_size() && !stopped_; i = next++) {
+        const v1::TileRect& tile = message.tile(i);
+        workspace.rays = 0;
+        tracer.render({tile.x(), tile.y(), tile.width(), tile.height()}, film, workspace, stopped_,
+                      work_);
+        if (stopped_) return;
+        rays += workspace.rays;
+        v1::WorkerEnvelope tile_done = envelope();
+        *tile_done.mutable_tile_done()->mutable_tile() = tile;
+        tile_done.mutable_tile_done()->set_rays(workspace.rays);
+        link_.send(tile_done);
+      }
+    });
+    timing_.set_render(seconds_since(start));
+    timing_.set_rays(rays);
+    timing_.set_total(timing_.compile() + timing_.prepare() + timing_.acceleration() +
+                      timing_.render());
+    return !stopped_;
+  });
+}
+
+v1::WorkerEnvelope Job::envelope() const {
+  v1::WorkerEnvelope message;
+  message.set_job_id(id_);
+  return message;
+}
+
+void Job::send_problems(const std::vector<Problem>& problems) {
+  v1::WorkerEnvelope message = envelope();
+  v1::Failed* failed = message.mutable_failed();
+  failed->set_kind(v1::Failed::BAD_INPUT);
+  failed->set_reason("the scene has " + std::to_string(problems.size()) +
+                     (problems.size() == 1 ? " problem" : " problems"));
+  // A hostile scene can have more problems than a frame holds; nobody reads the 101st.
+  for (std::size_t i = 0; i < problems.size() && i < 100; ++i) {
+    v1::Problem* to = failed->add_problem();
+    to->set_field(problems[i].field.substr(0, 500));
+    to->set_file(problems[i].file.substr(0, 500));
+    to->set_line(static_cast<std::uint32_t>(problems[i].line));
+    to->set_column(static_cast<std::uint32_t>(problems[i].column));
+    to->set_message(problems[i].message.substr(0, 1000));
+  }
+  send_last(message);
+}
+
+void Job::send_failure(v1::Failed::Kind kind, const std::string& reason) {
+  v1::WorkerEnvelope message = envelope();
+  message.mutable_failed()->set_kind(kind);
+  message.mutable_failed()->set_reason(reason);
+  send_last(message);
+}
+
+void Job::send_stopped() {
+  v1::WorkerEnvelope message = envelope();
+  message.mutable_stopped();
+  send_last(message);
+}
+
+void Job::send_last(const v1::WorkerEnvelope& message) {
+  ended_ = true;
+  link_.send(message);
+}
+
+}  // namespace metamer

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "metamer/v1/worker.pb.h"
+#include "server/cpu/embree_scene.h"
+#include "server/plan/plan.h"
+#include "server/worker/link.h"
+
+namespace metamer {
+
+/// What a worker is started with.
+struct WorkerOptions {
+  std::filesystem::path store;  ///< Assets, by their hex digest.
+  unsigned threads = 0;         ///< Of the CPU lane.
+  int film_descriptor = -1;     ///< Shared memory, sized by the daemon.
+};
+
+/// Counts pixels and other steps, for the heartbeat.
+using Work = std::atomic<std::uint64_t>;
+
+/// One job in the worker, from the scene's bytes to the pixels: the way of the data as one readable
+/// object. Runs on one thread; `stop` alone may be called from another.
+class Job {
+ public:
+  Job(std::uint64_t id, const WorkerOptions& options, Link& link, Work& work);
+  ~Job();
+
+  /// Parses, compiles and plans; sends JobPlanned, Failed or JobStopped.
+  void compile(const v1::CompileJob& message);
+
+  /// Builds what the plan needs, renders the tiles in their order; sends TileDone for each, then
+  /// JobDone, Failed or JobStopped. Only after a JobPlanned.
+  void render(const v1::RenderTiles& message);
+
+  /// Makes the running step end soon with JobStopped.
+  void stop() { stopped_ = true; }
+
+  /// Says JobStopped for a job that is between two steps.
+  void send_stopped();
+
+  std::uint64_t id() const { return id_; }
+  /// True once JobDone, Failed or JobStopped has been sent.
+  bool ended() const { return ended_; }
+
+ private:
+  void send_problems(const std::vector<Problem>& problems);
+  void send_failure(v1::Failed::Kind kind, const std::string& reason);
+  v1::WorkerEnvelope envelope() const;
+  void send_last(const v1::WorkerEnvelope& message);
+  bool render_tiles(const v1::RenderTiles& message, const Film& film, const Method& method);
+
+  std::uint64_t id_;
+  const WorkerOptions& options_;
+  Link& link_;
+  Work& work_;
+  std::atomic<bool> stopped_ = false;
+  std::atomic<bool> ended_ = false;
+  std::unique_ptr<RenderScene> scene_;
+  v1::Plan plan_;
+  v1::Timing timing_;
+};
+
+}  // namespace metamer

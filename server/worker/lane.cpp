@@ -1,0 +1,79 @@
+#include "server/worker/lane.h"
+
+namespace metamer {
+
+Lane::Lane(const WorkerOptions& options, Link& link, Work& work)
+    : options_(options), link_(link), work_(work), thread_([this] { run(); }) {}
+
+Lane::~Lane() {
+  {
+    const std::lock_guard lock(mutex_);
+    leaving_ = true;
+    if (job_) job_->stop();
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+bool Lane::take(const v1::WorkerEnvelope& message) {
+  switch (message.body_case()) {
+    case v1::WorkerEnvelope::kCompileJob:
+    case v1::WorkerEnvelope::kRenderTiles: {
+      std::unique_lock lock(mutex_);
+      // The daemon sends a step only after the one before has answered, so this is short.
+      changed_.wait(lock, [this] { return !in_step_ && !waiting_; });
+      if (message.has_compile_job())
+        job_ = std::make_unique<Job>(message.job_id(), options_, link_, work_);
+      else if (!job_ || job_->id() != message.job_id())
+        return false;
+      waiting_ = message;
+      changed_.notify_all();
+      return true;
+    }
+    case v1::WorkerEnvelope::kStopJob:
+      stop(message.job_id());
+      return true;
+    case v1::WorkerEnvelope::kReady:
+    case v1::WorkerEnvelope::kHeartbeat:
+    case v1::WorkerEnvelope::kPlanned:
+    case v1::WorkerEnvelope::kTileDone:
+    case v1::WorkerEnvelope::kDone:
+    case v1::WorkerEnvelope::kStopped:
+    case v1::WorkerEnvelope::kFailed:
+    case v1::WorkerEnvelope::BODY_NOT_SET:
+      return false;
+  }
+  return false;
+}
+
+void Lane::stop(std::uint64_t job_id) {
+  const std::lock_guard lock(mutex_);
+  if (!job_ || job_->id() != job_id) return;
+  if (in_step_ || waiting_) {
+    job_->stop();  // the step answers
+  } else if (!job_->ended()) {
+    job_->stop();
+    job_->send_stopped();
+  }
+}
+
+void Lane::run() {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    changed_.wait(lock, [this] { return leaving_ || waiting_; });
+    if (leaving_) return;
+    const v1::WorkerEnvelope message = std::move(*waiting_);
+    waiting_.reset();
+    in_step_ = true;
+    lock.unlock();
+    if (message.has_compile_job())
+      job_->compile(message.compile_job());
+    else
+      job_->render(message.render_tiles());
+    lock.lock();
+    in_step_ = false;
+    changed_.notify_all();
+  }
+}
+
+}  // namespace metamer

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "server/worker/job.h"
+
+namespace metamer {
+
+/// The CPU lane: carries out the daemon's messages, one step of one job at a time, on a thread of
+/// its own, so that StopJob is heard in the middle of a step.
+class Lane {
+ public:
+  Lane(const WorkerOptions& options, Link& link, Work& work);
+  ~Lane();  ///< Stops the running step and waits for it.
+
+  /// Takes a message from the daemon. Not blocking, but for a step that still winds up. False for
+  /// a message that a worker does not expect: daemon and worker are of different builds.
+  bool take(const v1::WorkerEnvelope& message);
+
+ private:
+  void run();
+  void stop(std::uint64_t job_id);
+
+  const WorkerOptions& options_;
+  Link& link_;
+  Work& work_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::unique_ptr<Job> job_;                    ///< Replaced between steps only.
+  std::optional<v1::WorkerEnvelope> waiting_;   ///< The next step.
+  bool in_step_ = false;
+  bool leaving_ = false;
+  std::thread thread_;
+};
+
+}  // namespace metamer

@@ -1,0 +1,69 @@
+// metamer-worker: started by metamerd, which talks to it over descriptor 3 and shares the picture's
+// memory as descriptor 4.
+
+#include <fcntl.h>
+
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <thread>
+
+#include "server/methods/method.h"
+#include "server/worker/capabilities.h"
+#include "server/worker/heartbeat.h"
+#include "server/worker/lane.h"
+#include "server/worker/sandbox.h"
+
+namespace {
+
+constexpr int link_descriptor = 3;
+constexpr int film_descriptor = 4;
+
+constexpr const char* usage =
+    "usage: metamer-worker --store DIR --threads N\n"
+    "Started by metamerd; descriptor 3 is its socket, descriptor 4 the picture's memory.\n";
+
+/// Exit codes: 0 the daemon is gone, 1 this machine can't run it, 2 usage.
+int run(const metamer::WorkerOptions& options) {
+#ifdef __AVX2__
+  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) {
+    std::fprintf(stderr, "metamer-worker: this processor lacks AVX2 and FMA\n");
+    return 1;
+  }
+#endif
+  const std::string sandbox = metamer::enter_sandbox(options.store);
+  metamer::Link link(link_descriptor);
+  metamer::Work work = 0;
+
+  metamer::v1::WorkerEnvelope ready;
+  *ready.mutable_ready()->mutable_capabilities() = metamer::capabilities(options.threads);
+  ready.mutable_ready()->set_sandbox(sandbox);
+  if (!link.send(ready)) return 0;
+
+  const metamer::Heartbeat heartbeat(link, work);
+  metamer::Lane lane(options, link, work);
+  while (const auto message = link.receive())
+    if (!lane.take(*message)) {
+      std::fprintf(stderr, "metamer-worker: unexpected message from the daemon\n");
+      return 1;
+    }
+  return 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  metamer::WorkerOptions options{.store = {}, .threads = 0, .film_descriptor = film_descriptor};
+  for (int i = 1; i + 1 < count; i += 2) {
+    if (std::strcmp(arguments[i], "--store") == 0) options.store = arguments[i + 1];
+    if (std::strcmp(arguments[i], "--threads") == 0)
+      options.threads = static_cast<unsigned>(std::strtoul(arguments[i + 1], nullptr, 10));
+  }
+  if (options.threads == 0) options.threads = std::max(1u, std::thread::hardware_concurrency());
+  if (options.store.empty() || fcntl(link_descriptor, F_GETFD) < 0 ||
+      fcntl(film_descriptor, F_GETFD) < 0) {
+    std::fputs(usage, stderr);
+    return 2;
+  }
+  return run(options);
+}

@@ -1,0 +1,12 @@
+// J. H. Lambert, Photometria, 1760; the first term of E[2.2-5]:
+//
+//     ρ = d C_D (N·L)
+//
+// Reciprocal but for its N·L; its hemispherical reflectance is d C_D.
+Lobes lambert(Angles angles, Lambert m) {
+    Lobes lobes;
+    lobes.diffuse = m.diffuseness * angles.n_dot_l;
+    lobes.specular = Real(0);
+    lobes.white = Real(0);
+    return lobes;
+}
