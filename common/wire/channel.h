@@ -1,0 +1,73 @@
+#pragma once
+
+#include <google/protobuf/message_lite.h>
+
+#include <array>
+#include <boost/asio.hpp>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+
+#include "common/wire/endpoint.h"
+#include "common/wire/frame.h"
+
+/// Messages over a socket, with coroutines. Everything on the socket's one thread.
+namespace metamer::wire {
+
+/// Who speaks at the other end: that decides which message and which sizes are accepted.
+enum class Peer {
+  client,  ///< Sends Envelopes; only an AssetChunk may be larger than max_control_frame.
+  server,  ///< Sends Envelopes; only a Tile or a Preview may be larger than max_control_frame.
+  worker,  ///< Sends WorkerEnvelopes of at most max_worker_frame.
+};
+
+/// What a worker says is passed on to clients with a few bytes around it, and has to fit there.
+inline constexpr std::size_t max_worker_frame = max_control_frame - 1024;
+
+struct ChannelError {
+  enum class Kind {
+    closed,     ///< The peer closed between two frames: the regular end.
+    truncated,  ///< The peer closed inside a frame.
+    frame,      ///< A length out of bounds, or bytes that are not the message.
+    system,     ///< The connection broke, or was closed on this side.
+  };
+  Kind kind = Kind::closed;
+  std::string message;  ///< For people.
+};
+
+/// Whether a payload above max_control_frame is one of the bulk messages that `peer` may send.
+/// Looks at tags and lengths only: a parser would expand hostile bytes up to 128 fold.
+bool is_bulk(Peer peer, std::string_view payload);
+
+/// One reader and one writer at a time. The object must outlive its pending operations.
+class Channel {
+ public:
+  Channel(Socket socket, Peer peer);
+
+  /// Waits for the next message and parses it into `message`: an Envelope, or a WorkerEnvelope
+  /// from a worker. After an error nothing more can be read.
+  asio::awaitable<tl::expected<void, ChannelError>> read(google::protobuf::MessageLite& message);
+
+  /// Sends `message`, which must fit into a frame (a programmer's mistake otherwise).
+  asio::awaitable<tl::expected<void, ChannelError>> write(
+      const google::protobuf::MessageLite& message);
+
+  /// Says that nothing more will be sent, then takes what the peer still sends and throws it away,
+  /// until it closes too. Closing with bytes unread would take the last answer from the peer.
+  asio::awaitable<void> drain();
+
+  /// No more receiving; what has arrived can still be read.
+  void shutdown_receive();
+  /// Ends every pending operation.
+  void close();
+  bool is_open() const { return socket_.is_open(); }
+  asio::any_io_executor executor() { return socket_.get_executor(); }
+
+ private:
+  Socket socket_;
+  Peer peer_;
+  FrameDecoder decoder_;
+  std::array<char, 64 << 10> received_;
+};
+
+}  // namespace metamer::wire

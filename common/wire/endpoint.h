@@ -1,0 +1,71 @@
+#pragma once
+
+#include <boost/asio.hpp>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "common/problem.h"
+
+/// Where a server listens, and how to get there.
+namespace metamer::wire {
+
+namespace asio = boost::asio;
+
+/// One type for Unix and TCP sockets alike.
+using Socket = asio::generic::stream_protocol::socket;
+
+struct Endpoint {
+  enum class Kind { unix_socket, tcp };
+  Kind kind = Kind::tcp;
+  std::string path;        ///< Of a Unix socket; at most 107 bytes, the kernel's bound.
+  std::string host;        ///< Name or address; a bare port means 127.0.0.1.
+  std::uint16_t port = 0;  ///< 0: the kernel chooses one, for listeners only.
+
+  bool operator==(const Endpoint&) const = default;
+};
+
+/// Reads `unix:PATH`, `HOST:PORT`, `[IPV6]:PORT` or `PORT`. The error says what was expected.
+Result<Endpoint> parse_endpoint(std::string_view text);
+/// As parse_endpoint reads it.
+std::string to_string(const Endpoint& endpoint);
+
+/// Connects and waits until that is done, name look-up included. The error names the endpoint.
+Result<Socket> connect(const asio::any_io_executor& executor, const Endpoint& endpoint);
+
+/// An open listening socket. A Unix socket's file (mode 0600) is removed with it.
+class Acceptor {
+ public:
+  /// Binds and listens. A Unix socket file that nobody listens on any more is replaced. Errors: an
+  /// address in use, a file that is no socket, whatever else the system says.
+  static Result<Acceptor> listen(const asio::any_io_executor& executor, const Endpoint& endpoint);
+
+  Acceptor(Acceptor&&) noexcept = default;
+  Acceptor& operator=(Acceptor&&) = delete;
+  ~Acceptor();
+
+  /// The endpoint, with the port that the kernel chose.
+  const Endpoint& endpoint() const { return endpoint_; }
+  /// The next connection; TCP without delay and with keep-alive. Errors: the system's.
+  asio::awaitable<std::pair<boost::system::error_code, Socket>> accept();
+  void close();
+
+ private:
+  using Native = asio::basic_socket_acceptor<asio::generic::stream_protocol>;
+  /// Which file it is, so that another server's is not removed.
+  struct FileId {
+    std::uint64_t device = 0;
+    std::uint64_t inode = 0;
+    bool operator==(const FileId&) const = default;
+  };
+  static FileId file_id(const std::string& path);
+
+  Acceptor(Native native, Endpoint endpoint);
+
+  Native native_;
+  Endpoint endpoint_;
+  FileId file_;
+};
+
+}  // namespace metamer::wire
