@@ -26,11 +26,26 @@ inline tl::unexpected<Problem> problem(std::string message) {
 }
 
 /// How a person reads it, as compilers write it: `file:line:column: error: message`, then, where
-/// `source` (the text of `file`) has that line, the line itself and a caret under the column.
+/// `source` (the text of `file`) has that line, the line itself and a caret under the column (which
+/// counts bytes). A problem without a line names its field: `error: light[0].name: message`.
+/// Ends without a line break. Long source lines are cut around the caret; control characters, which
+/// could command a terminal, come out as `?`.
 std::string format(const Problem& problem, std::string_view source = {});
 
 /// `; did you mean "tcs09"?` when one of `known` is close to `name` (edit distance at most a third
 /// of its length, at least 1), else an empty string.
+/// The distance is Damerau–Levenshtein's (optimal string alignment); upper and lower case are
+/// alike.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);
+
+/// `text` in double quotes, as a message cites somebody's input: control characters come out as
+/// `?`, and it is cut after 60 bytes.
+std::string quoted(std::string_view text);
+// Exact overloads, because <filesystem> brings a template std::quoted that fits better otherwise.
+inline std::string quoted(const std::string& text) { return quoted(std::string_view(text)); }
+inline std::string quoted(const char* text) { return quoted(std::string_view(text)); }
+
+/// The shortest decimal text that reads back as `value`, for messages: "0.1", "1e+300", "nan".
+std::string number_text(double value);
 
 }  // namespace metamer

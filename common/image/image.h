@@ -27,23 +27,30 @@ struct Image {
 
 Image make_image(int width, int height, std::vector<std::string> channels);
 
-/// What developing an XYZ image for a display lost. Nothing is clamped without being counted.
+/// XYZ → linear sRGB, values as they come.
+Image to_linear_srgb(const Image& xyz);
+/// The same for a run of `pixels`, three values each.
+void to_linear_srgb(const float* xyz, float* rgb, std::size_t pixels);
+
+/// What developing an XYZ image for a display lost. Nothing is clamped without being counted; f32's
+/// own rounding, 1e-6, is not counted.
 struct GamutReport {
-  std::size_t negative = 0;  ///< Pixels with an RGB value below 0.
+  std::size_t negative = 0;  ///< Pixels with an RGB value below 0, or one that is not a number.
   std::size_t above = 0;     ///< Pixels with an RGB value above 1.
 };
 
-/// XYZ → linear sRGB, values as they come.
-Image to_linear_srgb(const Image& xyz);
-
 /// Writes by the extension of `file`: .png is 8-bit sRGB, rounded to nearest, clipped to [0, 1]
-/// and counted in the report; .exr is 32-bit float linear sRGB. With `xyz` an .exr holds X Y Z.
-/// `metadata` becomes text attributes ("metamer:plan"). The file appears whole or not at all
-/// (written beside it, then renamed). Errors: another extension, a folder that can't be written.
-Result<GamutReport> write_image(const Image& xyz_image, const std::filesystem::path& file,
-                                bool xyz, const std::map<std::string, std::string>& metadata);
+/// and counted in the report; .exr is 32-bit float linear sRGB, unclipped. With `xyz` an .exr holds
+/// X Y Z, bit for bit; a .png can't. `metadata` becomes text attributes ("metamer:plan").
+/// The file appears whole or not at all (written beside it, then renamed). Errors name the file:
+/// another extension, a folder or a disk that can't be written.
+Result<GamutReport> write_image(const Image& xyz_image, const std::filesystem::path& file, bool xyz,
+                                const std::map<std::string, std::string>& metadata);
 
-/// Reads a PNG (decoded to linear is not done: values as stored, 0..1) or an EXR.
+/// Reads a PNG (values as stored, 0..1, not decoded to linear) or an EXR, of at most
+/// max_image_values. Errors name the file.
 Result<Image> read_image(const std::filesystem::path& file);
+
+inline constexpr std::size_t max_image_values = 256u << 20;  ///< 1 GiB: 64 Mpixel of RGBA.
 
 }  // namespace metamer

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "common/problem.h"
@@ -33,5 +35,9 @@ class Wavelengths {
   explicit Wavelengths(std::vector<double> nm);
   std::vector<double> nm_, widths_;
 };
+
+/// What is wrong with sample positions, whoever they belong to: none, one that is not finite, not
+/// above 0, below its predecessor or equal to it. Nothing: they are sound.
+std::optional<std::string> wrong_positions(const std::vector<double>& nm);
 
 }  // namespace metamer

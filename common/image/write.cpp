@@ -1,0 +1,161 @@
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cassert>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+
+#include "common/color/srgb.h"
+#include "common/image/image.h"
+#include "common/image/oiio.h"
+
+namespace metamer {
+namespace {
+
+using Bytes = std::vector<unsigned char>;
+
+/// Rows that are converted at a time, so that no second image is held.
+constexpr int rows_at_a_time = 64;
+/// f32 rounds a white that should be exactly 1 by less than this.
+constexpr float rounding = 1e-6F;
+
+/// Counts what clipping loses, and gives the clipped, encoded, rounded bytes.
+Bytes to_8_bit(const std::vector<float>& rgb, GamutReport& gamut) {
+  Bytes bytes(rgb.size());
+  for (std::size_t i = 0; i < rgb.size(); i += 3) {
+    bool negative = false, above = false;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const float value = rgb[i + c];
+      negative = negative || !(value >= -rounding);
+      above = above || value > 1 + rounding;
+      // The order of max's arguments turns NaN into 0.
+      const double clipped = std::min(1.0, std::max(0.0, static_cast<double>(value)));
+      bytes[i + c] = static_cast<unsigned char>(std::lround(255 * srgb::encode(clipped)));
+    }
+    gamut.negative += negative ? 1 : 0;
+    gamut.above += above ? 1 : 0;
+  }
+  return bytes;
+}
+
+OIIO::ImageSpec make_spec(const Image& image, bool png, bool xyz,
+                          const std::map<std::string, std::string>& metadata) {
+  OIIO::ImageSpec spec(image.width, image.height, 3,
+                       png ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
+  spec.channelnames = xyz ? image.channels : std::vector<std::string>{"R", "G", "B"};
+  if (png) {
+    spec.attribute("oiio:ColorSpace", "sRGB");
+  } else {
+    spec.attribute("compression", "zip");
+  }
+
+  // Say what the numbers mean: the primaries and the white of sRGB.
+  if (!png && !xyz) {
+    const float srgb[8] = {0.64F, 0.33F, 0.30F, 0.60F, 0.15F, 0.06F, 0.3127F, 0.3290F};
+    spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), srgb);
+  }
+  for (const auto& [name, text] : metadata) spec.attribute(name, text);
+  return spec;
+}
+
+/// The whole file in memory: a disk that fills up can then be told from a picture that can't be
+/// encoded.
+Result<Bytes> encode_file(const Image& image, const std::string& format, bool xyz,
+                          const std::map<std::string, std::string>& metadata, GamutReport& gamut) {
+  const bool png = format == "png";
+  Bytes bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  const auto output = OIIO::ImageOutput::create(format);
+  if (!output) return problem("can't write " + format + ": " + oiio::first_line(OIIO::geterror()));
+  output->threads(1);
+  OIIO::ImageSpec spec = make_spec(image, png, xyz, metadata);
+  OIIO::Filesystem::IOProxy* proxy = &memory;
+  spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+  bool good = output->open("memory." + format, spec);
+
+  // Convert and encode a few rows at a time.
+  for (int y = 0; good && y < image.height; y += rows_at_a_time) {
+    const int end = std::min(image.height, y + rows_at_a_time);
+    if (xyz) {
+      good = output->write_scanlines(y, end, 0, OIIO::TypeDesc::FLOAT, image.at(0, y));
+      continue;
+    }
+    const auto pixels = static_cast<std::size_t>(end - y) * static_cast<std::size_t>(image.width);
+    std::vector<float> rgb(3 * pixels);
+    to_linear_srgb(image.at(0, y), rgb.data(), pixels);
+    if (png) {
+      const Bytes encoded = to_8_bit(rgb, gamut);
+      good = output->write_scanlines(y, end, 0, OIIO::TypeDesc::UINT8, encoded.data());
+    } else {
+      good = output->write_scanlines(y, end, 0, OIIO::TypeDesc::FLOAT, rgb.data());
+    }
+  }
+  good = good && output->close();
+  if (!good) return problem("can't encode the picture: " + oiio::first_line(output->geterror()));
+  return bytes;
+}
+
+bool write_all(int descriptor, const Bytes& bytes) {
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t written = ::write(descriptor, bytes.data() + done, bytes.size() - done);
+    if (written < 0 && errno != EINTR) return false;
+    if (written > 0) done += static_cast<std::size_t>(written);
+  }
+  return true;
+}
+
+/// Writes beside `file`, then renames: nobody ever sees half of it, and a failure leaves an older
+/// file as it was.
+Result<void> replace_file(const std::filesystem::path& file, const Bytes& bytes) {
+  const auto failure = [&](const std::filesystem::path& left_over) -> Result<void> {
+    const std::string reason = std::strerror(errno);
+    if (!left_over.empty()) ::unlink(left_over.c_str());
+    return problem("can't write the picture: " + reason);
+  };
+  static std::atomic<unsigned> count = 0;
+  const std::filesystem::path part =
+      file.parent_path() / ("." + file.filename().string() + "." + std::to_string(::getpid()) +
+                            "-" + std::to_string(++count) + ".part");
+  const int descriptor =
+      ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
+  if (descriptor < 0) return failure({});
+  if (!write_all(descriptor, bytes)) {
+    const int reason = errno;
+    ::close(descriptor);
+    errno = reason;
+    return failure(part);
+  }
+  if (::close(descriptor) != 0) return failure(part);
+  if (::rename(part.c_str(), file.c_str()) != 0) return failure(part);
+  return {};
+}
+
+}  // namespace
+
+Result<GamutReport> write_image(const Image& xyz_image, const std::filesystem::path& file, bool xyz,
+                                const std::map<std::string, std::string>& metadata) {
+  assert(xyz_image.channels.size() == 3);
+  oiio::stay_in_this_thread();
+  const std::string format = oiio::format_of(file);
+  if (format.empty()) {
+    return oiio::file_problem(
+        file, "pictures are written as .png or .exr, not as " + quoted(file.extension().string()));
+  }
+  if (xyz && format == "png") return oiio::file_problem(file, "XYZ can only be written as .exr");
+
+  GamutReport gamut;
+  const auto done =
+      encode_file(xyz_image, format, xyz, metadata, gamut).and_then([&](const Bytes& bytes) {
+        return replace_file(file, bytes);
+      });
+  if (!done) return oiio::file_problem(file, done.error().message);
+  return gamut;
+}
+
+}  // namespace metamer

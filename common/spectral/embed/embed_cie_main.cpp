@@ -1,0 +1,96 @@
+// Writes the CIE's tables as C++, read from colord-data's files with the reader that scenes use.
+// Run by the build: embed_cie FOLDER OUTPUT.cpp
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "common/spectral/spectrum_file.h"
+
+namespace {
+
+using metamer::NamedSpectrum;
+
+[[noreturn]] void fail(const std::string& text) {
+  std::cerr << text << '\n';
+  std::exit(EXIT_FAILURE);
+}
+
+/// The spectra of a file, which must be `count`.
+std::vector<NamedSpectrum> read(const std::string& path, std::size_t count) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) fail("embed_cie: can't open " + path);
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  auto spectra = metamer::parse_spectra(text, path);
+  if (!spectra) fail(metamer::format(spectra.error(), text));
+  if (spectra->size() != count) {
+    fail("embed_cie: " + path + " must have " + std::to_string(count) + " spectra");
+  }
+  return std::move(*spectra);
+}
+
+std::string list(const std::vector<double>& numbers) {
+  std::string text;
+  for (const double number : numbers) text += metamer::number_text(number) + ", ";
+  return text;
+}
+
+void write_tables(std::ostream& out, const std::string& name,
+                  const std::vector<NamedSpectrum>& spectra) {
+  for (std::size_t i = 0; i < spectra.size(); ++i) {
+    const std::string suffix = name + "_" + std::to_string(i);
+    const metamer::Spectrum& spectrum = spectra[i].spectrum;
+    out << "constexpr double nm_" << suffix << "[] = {" << list(spectrum.nm) << "};\n"
+        << "constexpr double values_" << suffix << "[] = {" << list(spectrum.values) << "};\n";
+  }
+  out << "constexpr Table all_" << name << "[] = {\n";
+  for (std::size_t i = 0; i < spectra.size(); ++i) {
+    const std::string suffix = name + "_" + std::to_string(i);
+    out << "    {\"" << spectra[i].name << "\", nm_" << suffix << ", values_" << suffix << "},\n";
+  }
+  out << "};\n\n";
+}
+
+std::vector<NamedSpectrum> read_illuminants(const std::string& folder) {
+  std::vector<NamedSpectrum> all;
+  for (const std::string name :
+       {"A",  "B",  "C",  "D50", "D55", "D65", "D93", "E",   "F1",  "F2",
+        "F3", "F4", "F5", "F6",  "F7",  "F8",  "F9",  "F10", "F11", "F12"}) {
+    all.push_back(read(folder + "/illuminant/CIE-" + name + ".sp", 1).front());
+    all.back().name = name;
+  }
+  return all;
+}
+
+std::vector<NamedSpectrum> read_observers(const std::string& folder) {
+  std::vector<NamedSpectrum> all = read(folder + "/cmf/CIE1931-2deg-XYZ.cmf", 3);
+  for (NamedSpectrum& function : read(folder + "/cmf/CIE1964-10deg-XYZ.cmf", 3)) {
+    all.push_back(std::move(function));
+  }
+  return all;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) fail("usage: embed_cie FOLDER OUTPUT.cpp");
+  const std::string folder = argv[1];
+  std::ofstream out(argv[2], std::ios::binary);
+  out << "// Written by embed_cie from the files in " << folder << ".\n"
+      << "#include \"common/spectral/cie_tables.h\"\n\n"
+      << "namespace metamer::cie::tables {\nnamespace {\n\n";
+  write_tables(out, "observers", read_observers(folder));
+  write_tables(out, "illuminants", read_illuminants(folder));
+  write_tables(out, "test_colors", read(folder + "/ref/CIE-TCS.sp", 15));
+  out << "}  // namespace\n\n";
+  for (const std::string name : {"observers", "illuminants", "test_colors"}) {
+    out << "constinit const std::span<const Table> " << name << " = all_" << name << ";\n";
+  }
+  out << "\n}  // namespace metamer::cie::tables\n";
+  out.close();
+  if (!out) fail(std::string("embed_cie: can't write ") + argv[2]);
+  return EXIT_SUCCESS;
+}
