@@ -29,7 +29,8 @@ enum class SpectrumRole { emission, property };
 Result<Spectrum> load_spectrum(const v1::Spectrum& message, const std::string& field,
                                SpectrumRole role, const AssetReader& assets);
 
-/// Every spectrum of the scene loaded and checked, all problems found. For the client's early check.
+/// Every spectrum of the scene loaded and checked, all problems found. For the client's early
+/// check.
 std::vector<Problem> validate_spectra(const v1::Scene& scene, const AssetReader& assets);
 
 }  // namespace metamer

@@ -1,0 +1,89 @@
+#include <set>
+#include <string>
+#include <utility>
+
+#include "common/scene/files.h"
+#include "common/scene/findings.h"
+#include "common/scene/gltf.h"
+#include "common/scene/limits.h"
+#include "common/scene/names.h"
+#include "common/scene/scene_file.h"
+#include "common/spectral/spectrum_file.h"
+
+namespace metamer {
+
+namespace {
+
+/// Collects each file once, in the order in which the scene names them.
+class Collector {
+ public:
+  explicit Collector(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  void add_spectrum(const v1::Spectrum& spectrum, const std::string& field) {
+    if (spectrum.source_case() != v1::Spectrum::kFile) return;
+    add(spectrum.file(), field + ".file", max_spectrum_file);
+  }
+
+  void add_mesh(const v1::Mesh& mesh, const std::string& field) {
+    const bool gltf = has_extension(mesh.file(), ".gltf");
+    const std::string place = field + ".file";
+    const Asset* asset = add(mesh.file(), place, gltf ? max_gltf_text : limits::max_asset);
+    if (asset == nullptr || !gltf) return;
+
+    // A .gltf names further files.
+    const auto text = read_file(asset->path, max_gltf_text);
+    if (!text) return findings_.add(place, "file " + quoted(mesh.file()) + " can't be read");
+    const auto buffers = gltf_buffers(*text, mesh.file());
+    if (!buffers) return findings_.add(place, buffers.error().message);
+    for (const std::string& buffer : *buffers) add(buffer, place, limits::max_asset);
+  }
+
+  tl::expected<std::vector<Asset>, std::vector<Problem>> finish() {
+    if (findings_.size() > 0) return tl::unexpected(findings_.take());
+    return std::move(assets_);
+  }
+
+ private:
+  /// The asset if it is new and sound; else null.
+  const Asset* add(const std::string& name, const std::string& field, std::uint64_t limit) {
+    if (name.empty() || !seen_.insert(name).second) return nullptr;
+    const auto path = find_in_folder(name, folder_, limit);
+    if (!path) {
+      findings_.add(field, path.error().message);
+      return nullptr;
+    }
+    const auto digest = digest_file(*path, limit);
+    if (!digest) {
+      findings_.add(field, "file " + quoted(name) + " " + digest.error().message);
+      return nullptr;
+    }
+    if (digest->size == 0) {
+      findings_.add(field, "file " + quoted(name) + " is empty");
+      return nullptr;
+    }
+    assets_.push_back({name, field, *path, digest->size, digest->sha256});
+    return &assets_.back();
+  }
+
+  std::filesystem::path folder_;
+  std::set<std::string> seen_;
+  std::vector<Asset> assets_;
+  Findings findings_;
+};
+
+}  // namespace
+
+tl::expected<std::vector<Asset>, std::vector<Problem>> collect_assets(
+    const v1::Scene& scene, const std::filesystem::path& folder) {
+  Collector collector(folder.empty() ? std::filesystem::path(".") : folder);
+  for_each_spectrum(scene, [&](const v1::Spectrum& spectrum, const std::string& field,
+                               SpectrumRole) { collector.add_spectrum(spectrum, field); });
+  for (int i = 0; i < scene.object_size(); ++i) {
+    if (!scene.object(i).has_mesh()) continue;
+    collector.add_mesh(scene.object(i).mesh(),
+                       indexed("object", static_cast<std::size_t>(i)) + ".mesh");
+  }
+  return collector.finish();
+}
+
+}  // namespace metamer

@@ -1,0 +1,43 @@
+#include "common/scene/check_spectrum.h"
+#include "common/scene/parts.h"
+#include "common/scene/vectors.h"
+
+namespace metamer {
+
+void check_light(const v1::Light& light, const std::string& field, Findings& findings) {
+  if (!check_values(light, field, findings)) return;
+
+  switch (light.where_case()) {
+    case v1::Light::kPosition:
+      break;
+    case v1::Light::kDirection:
+      if (length(to_vector(light.direction())) == 0) {
+        findings.add(field + ".direction", "direction must not be 0");
+      }
+      break;
+    case v1::Light::WHERE_NOT_SET:
+      findings.add(field, "light needs a position or a direction");
+      break;
+  }
+
+  if (light.has_spectrum()) {
+    check_spectrum(light.spectrum(), field + ".spectrum", SpectrumRole::emission, findings);
+  } else {
+    findings.add(field, "light needs a spectrum");
+  }
+  if (light.luminance() < 0) {
+    findings.add(field + ".luminance",
+                 "luminance must not be negative (it is " + number_text(light.luminance()) + ")");
+  }
+
+  if (!light.has_reference_distance()) return;
+  const std::string distance = field + ".reference_distance";
+  if (light.has_direction()) {
+    findings.add(distance, "reference_distance is for lights with a position");
+  } else if (!(light.reference_distance() > 0)) {
+    findings.add(distance, "reference_distance must be above 0 (it is " +
+                               number_text(light.reference_distance()) + ")");
+  }
+}
+
+}  // namespace metamer

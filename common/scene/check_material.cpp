@@ -1,0 +1,25 @@
+#include "common/scene/check_spectrum.h"
+#include "common/scene/parts.h"
+
+namespace metamer {
+
+void check_material(const v1::Material& material, const std::string& field, Findings& findings) {
+  // The model's own parameters have their bounds in models.def, which the worker knows.
+  if (!check_values(material, field, findings)) return;
+
+  if (material.has_diffuse()) {
+    check_spectrum(material.diffuse(), field + ".diffuse", SpectrumRole::property, findings);
+  }
+  if (material.has_specular()) {
+    check_spectrum(material.specular(), field + ".specular", SpectrumRole::property, findings);
+  }
+  if (material.has_diffuseness()) {
+    check_range(material.diffuseness(), 0, 1, field + ".diffuseness", findings);
+  }
+  if (material.has_specularness()) {
+    check_range(material.specularness(), 0, 1, field + ".specularness", findings);
+  }
+  check_range(material.mirror(), 0, 1, field + ".mirror", findings);
+}
+
+}  // namespace metamer

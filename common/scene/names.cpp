@@ -1,0 +1,36 @@
+#include "common/scene/names.h"
+
+#include "common/scene/findings.h"
+
+namespace metamer {
+
+bool has_extension(std::string_view name, std::string_view extension) {
+  if (name.size() < extension.size()) return false;
+  name.remove_prefix(name.size() - extension.size());
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const char c = name[i] >= 'A' && name[i] <= 'Z' ? static_cast<char>(name[i] + 32) : name[i];
+    if (c != extension[i]) return false;
+  }
+  return true;
+}
+
+void for_each_spectrum(
+    const v1::Scene& scene,
+    const std::function<void(const v1::Spectrum&, const std::string&, SpectrumRole)>& visit) {
+  for (int i = 0; i < scene.light_size(); ++i) {
+    const v1::Light& light = scene.light(i);
+    const std::string field = indexed("light", static_cast<std::size_t>(i));
+    if (light.has_spectrum()) visit(light.spectrum(), field + ".spectrum", SpectrumRole::emission);
+  }
+  for (int i = 0; i < scene.material_size(); ++i) {
+    const v1::Material& material = scene.material(i);
+    const std::string field = indexed("material", static_cast<std::size_t>(i));
+    if (material.has_diffuse())
+      visit(material.diffuse(), field + ".diffuse", SpectrumRole::property);
+    if (material.has_specular()) {
+      visit(material.specular(), field + ".specular", SpectrumRole::property);
+    }
+  }
+}
+
+}  // namespace metamer

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "common/scene/validate.h"
+#include "metamer/v1/scene.pb.h"
+
+namespace metamer {
+
+/// True when a file's name ends so, in capitals or not.
+bool has_extension(std::string_view name, std::string_view extension);
+
+/// Calls `visit` for each spectrum that the scene holds, in its order, with its field path.
+void for_each_spectrum(
+    const v1::Scene& scene,
+    const std::function<void(const v1::Spectrum&, const std::string& field, SpectrumRole)>& visit);
+
+}  // namespace metamer

@@ -1,0 +1,51 @@
+#include "common/scene/settings.h"
+
+#include <cassert>
+
+namespace metamer {
+
+v1::Settings with_defaults(const v1::Settings& settings) {
+  v1::Settings full = settings;
+  if (!full.has_width()) full.set_width(640);
+  if (!full.has_height()) full.set_height(480);
+  if (!full.has_spp()) full.set_spp(16);
+  if (!full.has_depth()) full.set_depth(4);
+  if (!full.has_tile_size()) full.set_tile_size(16);
+
+  v1::Method& method = *full.mutable_method();
+  if (method.method_case() == v1::Method::METHOD_NOT_SET) method.mutable_point();
+  if (method.has_point()) {
+    v1::Point& point = *method.mutable_point();
+    const bool uniform = point.has_from() || point.has_to() || point.has_step();
+    if (!uniform && point.wavelengths().empty()) {
+      point.set_from(400);
+      point.set_to(700);
+      point.set_step(5);
+    }
+  }
+  return full;
+}
+
+Result<Wavelengths> point_wavelengths(const v1::Point& point) {
+  if (!point.wavelengths().empty()) {
+    return Wavelengths::listed({point.wavelengths().begin(), point.wavelengths().end()});
+  }
+  return Wavelengths::uniform(point.from(), point.to(), point.step());
+}
+
+cie::Observer to_observer(v1::Observer observer) {
+  switch (observer) {
+    case v1::CIE_1931_2DEG:
+      return cie::Observer::cie_1931_2deg;
+    case v1::CIE_1964_10DEG:
+      return cie::Observer::cie_1964_10deg;
+    // protobuf's own two, which no message can hold.
+    case v1::Observer_INT_MIN_SENTINEL_DO_NOT_USE_:
+    case v1::Observer_INT_MAX_SENTINEL_DO_NOT_USE_:
+      break;
+  }
+  assert(!"validate_scene finds observers that do not exist");
+  return cie::Observer::cie_1931_2deg;
+}
+
+}  // namespace metamer

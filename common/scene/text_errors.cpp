@@ -1,0 +1,118 @@
+#include "common/scene/text_errors.h"
+
+#include <cctype>
+#include <optional>
+#include <vector>
+
+#include "common/problem.h"
+#include "common/scene/schema.h"
+
+namespace metamer {
+
+namespace {
+
+using google::protobuf::Descriptor;
+
+/// What stands in `text` where `pattern` has a *; nothing where they differ.
+std::optional<std::vector<std::string>> match(std::string_view text, std::string_view pattern) {
+  std::vector<std::string> parts;
+  while (true) {
+    const std::size_t star = pattern.find('*');
+    const std::string_view literal = pattern.substr(0, star);
+    if (!text.starts_with(literal)) return std::nullopt;
+    text.remove_prefix(literal.size());
+    if (star == std::string_view::npos) {
+      if (!text.empty()) return std::nullopt;
+      return parts;
+    }
+    pattern.remove_prefix(star + 1);
+    const std::size_t end =
+        pattern.empty() ? text.size() : text.find(pattern.substr(0, pattern.find('*')));
+    if (end == std::string_view::npos) return std::nullopt;
+    parts.emplace_back(text.substr(0, end));
+    text.remove_prefix(end);
+  }
+}
+
+std::string found(const std::string& token) {
+  return ", found " + (token.empty() ? "the end of the file" : quoted(token));
+}
+
+std::string no_such_field(const std::string& full_name, const std::string& name,
+                          const Descriptor& root) {
+  const Descriptor* type = root.file()->pool()->FindMessageTypeByName(full_name);
+  if (type == nullptr) return quoted(full_name) + " has no field " + quoted(name);
+  const std::vector<std::string> known = field_names(*type);
+  const std::string guess = did_you_mean(name, known);
+  const std::string error = type->name() + " has no field " + quoted(name);
+  if (!guess.empty()) return error + guess;
+  return error + (known.empty() ? "; it has none" : "; its fields: " + join(known));
+}
+
+std::string no_such_value(const std::string& field, const std::string& value,
+                          const Descriptor& root) {
+  const auto* type = find_enum(root, field);
+  const std::vector<std::string> known =
+      type == nullptr ? std::vector<std::string>() : value_names(*type);
+  return field + " has no value " + quoted(value) + " (its values: " + join(known) + ")" +
+         did_you_mean(value, known);
+}
+
+/// What is left: protobuf's sentence in the house's form.
+std::string plain(std::string message) {
+  if (message.ends_with('.')) message.pop_back();
+  if (!message.empty()) {
+    message[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(message[0])));
+  }
+  return message;
+}
+
+}  // namespace
+
+TextError reword(std::string_view message, TextPlace place, std::string_view text,
+                 const Descriptor& root) {
+  // Names are reported at the token after them; go back to the name.
+  const auto at_name = [&](const std::string& name, std::string reworded) {
+    return TextError{last_identifier(text, name, place).value_or(place), std::move(reworded)};
+  };
+  if (const auto m = match(message, "Message type \"*\" has no field named \"*\".")) {
+    return at_name(m->at(1), no_such_field(m->at(0), m->at(1), root));
+  }
+  if (const auto m = match(message, "Unknown enumeration value of \"*\" for field \"*\".")) {
+    return at_name(m->at(0), no_such_value(m->at(1), m->at(0), root));
+  }
+  if (const auto m = match(message, "Non-repeated field \"*\" is specified multiple times.")) {
+    return at_name(m->at(0), m->at(0) + " is given twice");
+  }
+  if (const auto m = match(message,
+                           "Field \"*\" is specified along with field \"*\", another member of "
+                           "oneof \"*\".")) {
+    return at_name(m->at(0), m->at(0) + " can't be given together with " + m->at(1));
+  }
+
+  // The rest are reported where they are.
+  if (const auto m = match(message, "Expected identifier, got: *")) {
+    return {place, "expected a field's name" + found(m->at(0))};
+  }
+  if (const auto m = match(message, "Expected integer, got: *")) {
+    return {place, "expected a whole number" + found(m->at(0))};
+  }
+  if (const auto m = match(message, "Expected double, got: *")) {
+    return {place, "expected a number" + found(m->at(0))};
+  }
+  if (const auto m = match(message, "Expected string, got: *")) {
+    return {place, "expected text in quotes" + found(m->at(0))};
+  }
+  if (const auto m = match(message, "Expected integer or identifier, got: *")) {
+    return {place, "expected the name of a value" + found(m->at(0))};
+  }
+  if (const auto m = match(message, "Expected \"*\", found \"*\".")) {
+    return {place, "expected " + quoted(m->at(0)) + found(m->at(1))};
+  }
+  if (const auto m = match(message, "Integer out of range (*)")) {
+    return {place, m->at(0) + " is too large"};
+  }
+  return {place, plain(std::string(message))};
+}
+
+}  // namespace metamer

@@ -1,0 +1,113 @@
+#include "common/scene/text_places.h"
+
+#include <google/protobuf/io/tokenizer.h>
+#include <google/protobuf/io/zero_copy_stream_impl_lite.h>
+
+#include <algorithm>
+#include <cassert>
+
+namespace metamer {
+
+namespace {
+
+using google::protobuf::io::Tokenizer;
+
+/// The parser that reads the same text reports the errors.
+class IgnoreErrors : public google::protobuf::io::ErrorCollector {
+ public:
+  void AddError(int, int, const std::string&) override {}
+};
+
+/// The tokens of a text, as the text format's parser sees them.
+class Tokens {
+ public:
+  explicit Tokens(std::string_view text)
+      : stream_(text.data(), static_cast<int>(text.size())), tokenizer_(&stream_, &errors_) {
+    tokenizer_.set_allow_f_after_float(true);
+    tokenizer_.set_comment_style(Tokenizer::SH_COMMENT_STYLE);
+  }
+  bool next() { return tokenizer_.Next(); }
+  bool is_identifier() { return current().type == Tokenizer::TYPE_IDENTIFIER; }
+  bool is(std::string_view symbol) {
+    return current().type == Tokenizer::TYPE_SYMBOL && current().text == symbol;
+  }
+  const std::string& text() { return current().text; }
+  TextPlace place() { return {current().line, current().column}; }
+
+ private:
+  const Tokenizer::Token& current() { return tokenizer_.current(); }
+
+  google::protobuf::io::ArrayInputStream stream_;
+  IgnoreErrors errors_;
+  Tokenizer tokenizer_;
+};
+
+}  // namespace
+
+TextLines::TextLines(std::string_view text) : begins_{0} {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\n') begins_.push_back(i + 1);
+  }
+}
+
+int TextLines::column(std::string_view text, TextPlace place) const {
+  constexpr int tab_width = 8;
+  const auto line = static_cast<std::size_t>(place.line);
+  assert(line < begins_.size());
+  const std::size_t begin = begins_[line];
+  std::size_t at = begin;
+  for (int column = 0; column < place.column && at < text.size() && text[at] != '\n'; ++at) {
+    column += text[at] == '\t' ? tab_width - column % tab_width : 1;
+  }
+  return static_cast<int>(at - begin) + 1;
+}
+
+std::optional<TextPlace> last_identifier(std::string_view text, std::string_view name,
+                                         TextPlace end) {
+  std::optional<TextPlace> found;
+  Tokens tokens(text);
+  while (tokens.next() && tokens.place() < end) {
+    if (tokens.is_identifier() && tokens.text() == name) found = tokens.place();
+  }
+  return found;
+}
+
+TextLists find_lists(std::string_view text) {
+  TextLists lists;
+  struct Open {
+    bool list;
+    TextPlace name;
+  };
+  std::vector<Open> open;
+  std::string name;
+  TextPlace name_place;
+  bool element_starts = false;
+
+  Tokens tokens(text);
+  while (tokens.next()) {
+    // A token after "[" or "," of a list is where an element begins.
+    if (element_starts && !tokens.is("]")) {
+      lists.elements[open.back().name].push_back(tokens.place());
+    }
+    element_starts = false;
+
+    if (tokens.is_identifier()) {
+      name = tokens.text();
+      name_place = tokens.place();
+    } else if (tokens.is("[")) {
+      open.push_back({true, name_place});
+      lists.elements[name_place];
+      lists.names.insert(name);
+      element_starts = true;
+    } else if (tokens.is("{") || tokens.is("<")) {
+      open.push_back({false, {}});
+    } else if (tokens.is("]") || tokens.is("}") || tokens.is(">")) {
+      if (!open.empty()) open.pop_back();
+    } else if (tokens.is(",") && !open.empty() && open.back().list) {
+      element_starts = true;
+    }
+  }
+  return lists;
+}
+
+}  // namespace metamer
