@@ -13,8 +13,7 @@ constexpr float far_out = 1e18f;
 Int8 finite(const Vec8& origin, const Vec8& direction) {
   const auto within = [](Float8 value, float limit) { return abs(value) <= limit; };
   return within(origin.x, far_out) & within(origin.y, far_out) & within(origin.z, far_out) &
-         within(direction.x, far_out) & within(direction.y, far_out) &
-         within(direction.z, far_out);
+         within(direction.x, far_out) & within(direction.y, far_out) & within(direction.z, far_out);
 }
 
 template <class Rays>
@@ -55,8 +54,8 @@ Eigen::Matrix3d normal_map(const Eigen::Affine3d& to_world) {
 std::optional<double> uniform_scale(const Eigen::Affine3d& map) {
   const Eigen::Matrix3d squared = map.linear().transpose() * map.linear();
   const double scale = squared(0, 0);
-  const bool uniform = (squared - scale * Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <
-                       1e-9 * scale;
+  const bool uniform =
+      (squared - scale * Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-9 * scale;
   return uniform ? std::optional(std::sqrt(scale)) : std::nullopt;
 }
 
@@ -148,8 +147,9 @@ void EmbreeScene::attach(RTCGeometry geometry, Placed placed) {
 }
 
 void EmbreeScene::add_placed(const RenderObject& object, const TriangleMesh& mesh) {
-  attach(triangles(device_.get(), mesh, object.to_world),
-         {.material = object.material, .normals = corner_normals(mesh, normal_map(object.to_world))});
+  attach(
+      triangles(device_.get(), mesh, object.to_world),
+      {.material = object.material, .normals = corner_normals(mesh, normal_map(object.to_world))});
 }
 
 void EmbreeScene::add_sphere(const RenderObject& object) {
@@ -163,7 +163,8 @@ void EmbreeScene::add_sphere(const RenderObject& object) {
     return geometry;
   };
   if (scale) {
-    attach(sphere(object.to_world.translation(), *scale), {.material = object.material, .normals = {}});
+    attach(sphere(object.to_world.translation(), *scale),
+           {.material = object.material, .normals = {}});
     return;
   }
   // An ellipsoid is an instance of the unit sphere.
@@ -181,8 +182,7 @@ void EmbreeScene::add_instance(const RenderObject& object, RTCScene shared,
                                const std::vector<CornerNormals>* normals) {
   RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE);
   rtcSetGeometryInstancedScene(geometry, shared);
-  const Eigen::Matrix<float, 3, 4, Eigen::RowMajor> map =
-      object.to_world.affine().cast<float>();
+  const Eigen::Matrix<float, 3, 4, Eigen::RowMajor> map = object.to_world.affine().cast<float>();
   rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_ROW_MAJOR, map.data());
   Placed placed{.material = object.material, .normals = {}, .shared = normals, .instance = true};
   const Eigen::Matrix3d normal = normal_map(object.to_world);

@@ -15,11 +15,11 @@ namespace metamer::cpu {
 
 /// What eight camera or mirror rays have met.
 struct Hits {
-  Int8 hit;                   ///< Mask.
-  Float8 distance;            ///< Along the ray, where it hit.
+  Int8 hit;                     ///< Mask.
+  Float8 distance;              ///< Along the ray, where it hit.
   std::array<int, 8> material;  ///< Index into RenderScene::materials, where it hit.
-  Vec8 geometric_normal;      ///< Unit, on the ray's side.
-  Vec8 normal;                ///< Unit: interpolated where the mesh has normals; on the same side.
+  Vec8 geometric_normal;        ///< Unit, on the ray's side.
+  Vec8 normal;  ///< Unit: interpolated where the mesh has normals; on the same side.
 };
 
 /// The geometry in Embree. An object whose mesh no other object shares is placed in the world once
@@ -56,7 +56,7 @@ class EmbreeScene {
   /// An object, by the number of its geometry in the top scene.
   struct Placed {
     std::uint32_t material;
-    std::vector<CornerNormals> normals;      ///< In the world; empty: flat, or an instance.
+    std::vector<CornerNormals> normals;  ///< In the world; empty: flat, or an instance.
     const std::vector<CornerNormals>* shared = nullptr;  ///< An instance's, in its own space.
     bool instance = false;
     std::array<std::array<float, 3>, 3> to_world_normals{};  ///< Rows; for an instance.

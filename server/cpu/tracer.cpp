@@ -26,12 +26,12 @@ Float8 cosine(Float8 value) { return min(max(value, Float8{}), metamer::broadcas
 
 /// Eight rays on their way, and where their light goes.
 struct Tracer::Packet {
-  Vec8 origin, direction;  ///< Directions are unit.
-  Int8 active;
-  Float8 throughput;                        ///< Product of the mirrors' weights.
-  std::array<std::uint32_t, 8> pixel{};     ///< Index into Workspace::gathers.
-  std::array<std::uint32_t, 8> path{};      ///< Of that pixel's gather.
-  Vec8 point;                               ///< Where the ray hit, lifted off the surface.
+  Vec8 origin{}, direction{};  ///< Directions are unit.
+  Int8 active{};
+  Float8 throughput = metamer::broadcast(1);  ///< Product of the mirrors' weights.
+  std::array<std::uint32_t, 8> pixel{};       ///< Index into Workspace::gathers.
+  std::array<std::uint32_t, 8> path{};        ///< Of that pixel's gather.
+  Vec8 point{};                               ///< Where the ray hit, lifted off the surface.
 };
 
 Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const Method& method,
@@ -79,7 +79,7 @@ void Tracer::render_block(std::uint32_t x, std::uint32_t y, const Film& film,
   const unsigned samples = spp_ * block_width_ * block_height_;
   for (unsigned first = 0; first < samples; first += lane_count) {
     // Give each lane a sample of a pixel of the block.
-    Packet packet{.throughput = metamer::broadcast(1)};
+    Packet packet;
     Float8 film_x{}, film_y{};
     for (unsigned lane = 0; lane < lane_count; ++lane) {
       const unsigned sample = first + lane;

@@ -30,7 +30,8 @@ class Tracer {
   Workspace make_workspace() const;
 
   /// Renders the pixels of `tile`, whose corner lies on multiples of 8, into the film. Looks at
-  /// `cancelled` before each row of blocks and then leaves the rest as it was; `work` counts pixels.
+  /// `cancelled` before each row of blocks and then leaves the rest as it was; `work` counts
+  /// pixels.
   void render(const Rect& tile, const Film& film, Workspace& workspace,
               const std::atomic<bool>& cancelled, std::atomic<std::uint64_t>& work) const;
 
@@ -54,7 +55,8 @@ class Tracer {
   std::uint32_t block_width_, block_height_;  ///< Pixels of a packet below eight samples; else 1×1.
   std::vector<SamplePoint> pattern_;
   std::vector<Light> lights_;
-  Vec8 eye_, corner_, across_, down_;  ///< Direction = corner + x across + y down, x and y in pixels.
+  Vec8 eye_, corner_, across_,
+      down_;  ///< Direction = corner + x across + y down, x and y in pixels.
 };
 
 }  // namespace metamer::cpu

@@ -6,8 +6,8 @@
 
 namespace metamer {
 
-/// A table of rows of f32, each row padded with zeros to a multiple of 16 and aligned to 64 bytes, so
-/// that loops over a row are whole vectors.
+/// A table of rows of f32, each row padded with zeros to a multiple of 16 and aligned to 64 bytes,
+/// so that loops over a row are whole vectors.
 class BandTable {
  public:
   BandTable(std::size_t rows, std::size_t bands);

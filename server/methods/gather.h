@@ -19,8 +19,8 @@ struct LobeWeights {
 ///
 ///     L(λ) = Σ_surfaces throughput_path(λ) · Σ_lights Φ(λ) · (d C_D(λ) + s C_S(λ) + w)
 ///
-/// A path is the sequence of mirrors between eye and surface; its throughput is the product of their
-/// C_S. Path 0 goes straight from the eye. The same combination is never stored twice.
+/// A path is the sequence of mirrors between eye and surface; its throughput is the product of
+/// their C_S. Path 0 goes straight from the eye. The same combination is never stored twice.
 class Gather {
  public:
   explicit Gather(std::size_t lights) : lights_(lights) { clear(); }

@@ -47,7 +47,8 @@ void notice_dark_lights(const RenderScene& scene, const v1::Settings& settings,
     if (luminance_scale(observer, power, light.luminance) > 0 || light.luminance == 0) continue;
     v1::Notice* notice = plan.add_notice();
     notice->set_field(scene.emission_fields[light.emission]);
-    notice->set_message("light \"" + light.name + "\" stays dark: the observer sees nothing of it at these wavelengths");
+    notice->set_message("light \"" + light.name +
+                        "\" stays dark: the observer sees nothing of it at these wavelengths");
   }
 }
 

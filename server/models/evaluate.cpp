@@ -72,9 +72,9 @@ LobeLanes evaluate(Model model, const Parameters& parameters, const AngleLanes& 
 Lobes64 evaluate(Model model, const Parameters64& parameters, const Angles64& angles) {
   f64::Lobes lobes{};
   switch (model) {
-#define METAMER_MODEL(number, name, Type, citation, ...)                                       \
-  case Model::name:                                                                            \
-    lobes = f64::name({angles.n_dot_l, angles.n_dot_h}, unpack<f64::Type>(parameters));        \
+#define METAMER_MODEL(number, name, Type, citation, ...)                                \
+  case Model::name:                                                                     \
+    lobes = f64::name({angles.n_dot_l, angles.n_dot_h}, unpack<f64::Type>(parameters)); \
     break;
 #include "server/models/models.def"
 #undef METAMER_MODEL

@@ -20,7 +20,8 @@ std::uint32_t needed_depth(const RenderScene& scene, std::uint32_t allowed) {
 
 void list_models(const RenderScene& scene, v1::Plan& plan) {
   std::set<models::Model> used;
-  for (const RenderObject& object : scene.objects) used.insert(scene.materials[object.material].model);
+  for (const RenderObject& object : scene.objects)
+    used.insert(scene.materials[object.material].model);
   for (const models::ModelInfo& info : models::registry())
     if (used.contains(info.model)) plan.add_models(info.name);
 }

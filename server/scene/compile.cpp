@@ -2,7 +2,9 @@
 
 #include <google/protobuf/descriptor.h>
 
+#include <cmath>
 #include <map>
+#include <numbers>
 
 #include "server/models/models.h"
 #include "server/scene/mesh_import.h"
@@ -40,15 +42,14 @@ class Compiler {
 
   void camera() {
     const v1::Camera& camera = scene_.camera();
-    const Eigen::Vector3d up =
-        camera.has_up() ? to_vector(camera.up()) : Eigen::Vector3d::UnitY();
+    const Eigen::Vector3d up = camera.has_up() ? to_vector(camera.up()) : Eigen::Vector3d::UnitY();
     RenderCamera& to = result_.camera;
     to.eye = to_vector(camera.eye());
     to.forward = (to_vector(camera.target()) - to.eye).normalized();
     to.right = to.forward.cross(up).normalized();
     to.up = to.right.cross(to.forward);
     const double fov = camera.has_vertical_fov() ? camera.vertical_fov() : 35;
-    to.tan_half_fov = std::tan(fov * EIGEN_PI / 360);
+    to.tan_half_fov = std::tan(fov * std::numbers::pi / 360);
   }
 
   void light(int index) {
@@ -68,14 +69,13 @@ class Compiler {
   void material(int index) {
     const v1::Material& material = scene_.material(index);
     const std::string field = "material[" + std::to_string(index) + "]";
-    RenderMaterial to{.name = material.name(),
-                      .model = models::Model::lambert,
-                      .parameters = {},
-                      .diffuse = property(material.has_diffuse(), material.diffuse(), 0,
-                                          field + ".diffuse"),
-                      .specular = property(material.has_specular(), material.specular(), 1,
-                                           field + ".specular"),
-                      .mirror = static_cast<float>(material.mirror())};
+    RenderMaterial to{
+        .name = material.name(),
+        .model = models::Model::lambert,
+        .parameters = {},
+        .diffuse = property(material.has_diffuse(), material.diffuse(), 0, field + ".diffuse"),
+        .specular = property(material.has_specular(), material.specular(), 1, field + ".specular"),
+        .mirror = static_cast<float>(material.mirror())};
     to.parameters[0] = material.has_diffuseness() ? static_cast<float>(material.diffuseness()) : 1;
     to.parameters[1] = static_cast<float>(material.specularness());
     model(material, field, to);
@@ -102,10 +102,10 @@ class Compiler {
     if (!own.GetReflection()->HasField(own, member)) return static_cast<float>(info.default_value);
     const double value = own.GetReflection()->GetDouble(own, member);
     if (!(value >= info.min && value <= info.max))
-      add(field + "." + info.name,
-          std::string(info.name) + " must lie in " + shown(info.min) + " to " + shown(info.max) +
-              " (it is " + shown(value) + "); the nearest allowed value is " +
-              shown(value < info.min ? info.min : info.max));
+      add(field + "." + info.name, std::string(info.name) + " must lie in " + shown(info.min) +
+                                       " to " + shown(info.max) + " (it is " + shown(value) +
+                                       "); the nearest allowed value is " +
+                                       shown(value < info.min ? info.min : info.max));
     return static_cast<float>(value);
   }
 
@@ -123,8 +123,8 @@ class Compiler {
     auto& known = emission ? known_emissions_ : known_properties_;
     auto& spectra = emission ? result_.emissions : result_.properties;
     auto& fields = emission ? result_.emission_fields : result_.property_fields;
-    const auto [place, is_new] = known.try_emplace(message.SerializeAsString(),
-                                                   static_cast<std::uint32_t>(spectra.size()));
+    const auto [place, is_new] =
+        known.try_emplace(message.SerializeAsString(), static_cast<std::uint32_t>(spectra.size()));
     if (is_new) {
       auto loaded = load_spectrum(message, field, role, assets_);
       if (!loaded) problems_.push_back(std::move(loaded.error()));
@@ -179,8 +179,8 @@ class Compiler {
     TriangleMesh mesh;
     for (const Eigen::Vector3d& p : {corner, Eigen::Vector3d(corner + u),
                                      Eigen::Vector3d(corner + u + v), Eigen::Vector3d(corner + v)})
-      mesh.positions.push_back({static_cast<float>(p.x()), static_cast<float>(p.y()),
-                                static_cast<float>(p.z())});
+      mesh.positions.push_back(
+          {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
     result_.meshes.push_back(std::move(mesh));
     return static_cast<std::uint32_t>(result_.meshes.size() - 1);
@@ -209,8 +209,8 @@ class Compiler {
 }  // namespace
 
 tl::expected<RenderScene, std::vector<Problem>> compile_scene(const v1::Scene& scene,
-                                                        const AssetReader& assets,
-                                                        const std::atomic<bool>& cancelled) {
+                                                              const AssetReader& assets,
+                                                              const std::atomic<bool>& cancelled) {
   return Compiler(scene, assets, cancelled).run();
 }
 

@@ -30,7 +30,7 @@ class AssetStream : public Assimp::IOStream {
   }
   size_t Write(const void*, size_t, size_t) override { return 0; }
   aiReturn Seek(size_t offset, aiOrigin origin) override {
-    const size_t base = origin == aiOrigin_SET ? 0
+    const size_t base = origin == aiOrigin_SET   ? 0
                         : origin == aiOrigin_CUR ? position_
                                                  : bytes_.size();
     if (offset > bytes_.size() - base) return aiReturn_FAILURE;
@@ -92,8 +92,8 @@ Result<void> append(const aiMesh& from, TriangleMesh& to) {
     std::array<std::uint32_t, 3> triangle;
     for (unsigned corner = 0; corner < 3; ++corner) {
       if (face.mIndices[corner] >= from.mNumVertices)
-        return problem("a triangle names vertex " + std::to_string(face.mIndices[corner]) +
-                       " of " + std::to_string(from.mNumVertices));
+        return problem("a triangle names vertex " + std::to_string(face.mIndices[corner]) + " of " +
+                       std::to_string(from.mNumVertices));
       triangle[corner] = base + face.mIndices[corner];
     }
     to.triangles.push_back(triangle);
@@ -107,7 +107,8 @@ Result<TriangleMesh> import_mesh(const std::string& name, const AssetReader& ass
   // Let Assimp read the file: one node, triangles only, normals where the file has none.
   Assimp::Importer importer;
   importer.SetIOHandler(new AssetSystem(assets));
-  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   const aiScene* scene = importer.ReadFile(
       name, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_JoinIdenticalVertices |
                 aiProcess_GenSmoothNormals | aiProcess_PreTransformVertices);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <numbers>
 
 #include "metamer/v1/scene.pb.h"
 
@@ -20,7 +21,7 @@ inline Eigen::Affine3d placement(const google::protobuf::RepeatedPtrField<v1::Tr
         map.prescale(to_vector(step.scale()));
         break;
       case v1::Transform::kRotate: {
-        constexpr double radians = EIGEN_PI / 180;
+        constexpr double radians = std::numbers::pi / 180;
         map.prerotate(Eigen::AngleAxisd(step.rotate().degrees() * radians,
                                         to_vector(step.rotate().axis()).normalized()));
         break;

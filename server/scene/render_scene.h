@@ -30,7 +30,7 @@ struct RenderLight {
   Eigen::Vector3d place;      ///< The position; or, if directional, the unit direction towards it.
   double reference_distance;  ///< 0: the luminance holds at every distance.
   double luminance;
-  std::uint32_t emission;     ///< Index into RenderScene::emissions.
+  std::uint32_t emission;  ///< Index into RenderScene::emissions.
 };
 
 struct RenderMaterial {

@@ -12,7 +12,7 @@
 #include "common/scene/limits.h"
 #include "common/scene/settings.h"
 #include "server/cpu/tracer.h"
-#include "server/methods/method.h"
+#include "server/plan/plan.h"
 #include "server/scene/compile.h"
 
 namespace metamer {
@@ -45,8 +45,8 @@ AssetReader reader(const v1::CompileJob& message, const std::filesystem::path& s
   for (const v1::AssetName& asset : message.asset()) digests[asset.name()] = asset.sha256();
   return [digests = std::move(digests), store](const std::string& name) -> Result<std::string> {
     const auto found = digests.find(name);
-    auto bytes = found == digests.end() ? problem("was not sent along")
-                                        : read_stored(store, found->second);
+    auto bytes =
+        found == digests.end() ? problem("was not sent along") : read_stored(store, found->second);
     if (!bytes) bytes.error().file = name;
     return bytes;
   };

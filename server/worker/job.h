@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <memory>
 
+#include "common/problem.h"
 #include "metamer/v1/worker.pb.h"
-#include "server/cpu/embree_scene.h"
-#include "server/plan/plan.h"
+#include "server/film/film.h"
+#include "server/methods/method.h"
+#include "server/scene/render_scene.h"
 #include "server/worker/link.h"
 
 namespace metamer {

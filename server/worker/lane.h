@@ -30,8 +30,8 @@ class Lane {
   Work& work_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::unique_ptr<Job> job_;                    ///< Replaced between steps only.
-  std::optional<v1::WorkerEnvelope> waiting_;   ///< The next step.
+  std::unique_ptr<Job> job_;                   ///< Replaced between steps only.
+  std::optional<v1::WorkerEnvelope> waiting_;  ///< The next step.
   bool in_step_ = false;
   bool leaving_ = false;
   std::thread thread_;

@@ -1,0 +1,143 @@
+// How fast the tracer is, what each method costs over `rgb`, and how much of Embree's own rate is
+// left. Every figure of the table at the end is a ratio of medians of one interleaved run.
+
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <map>
+#include <vector>
+
+#include "server/cpu/tracer.h"
+#include "tests/bench/bench_scene.h"
+#include "tests/bench/raw_rays.h"
+
+namespace {
+
+using namespace metamer;
+
+/// A scene in Embree and everything that a case needs; built once.
+struct Bench {
+  explicit Bench(bool mirrors, unsigned spp)
+      : scene(bench::make_ground(176, mirrors)),
+        geometry(*cpu::EmbreeScene::build(scene, never)),
+        plan(bench::make_plan(scene, spp)),
+        pixels(std::size_t{plan.width()} * plan.height() * 3) {}
+
+  /// Renders the whole picture by tiles on this thread; returns the rays.
+  std::uint64_t render(const Method& method) {
+    const cpu::Tracer tracer(scene, geometry, method, plan);
+    auto workspace = tracer.make_workspace();
+    const Film film{pixels.data(), plan.width(), plan.height()};
+    for (std::uint32_t y = 0; y < plan.height(); y += plan.tile_size())
+      for (std::uint32_t x = 0; x < plan.width(); x += plan.tile_size())
+        tracer.render({x, y, plan.tile_size(), plan.tile_size()}, film, workspace, never, work);
+    return workspace.rays;
+  }
+
+  std::atomic<bool> never = false;
+  std::atomic<std::uint64_t> work = 0;
+  RenderScene scene;
+  cpu::EmbreeScene geometry;
+  v1::Plan plan;
+  std::vector<float> pixels;
+};
+
+Bench& direct() {
+  static Bench bench(false, 16);
+  return bench;
+}
+Bench& direct_single() {
+  static Bench bench(false, 1);
+  return bench;
+}
+Bench& mirrors() {
+  static Bench bench(true, 16);
+  return bench;
+}
+
+void render(benchmark::State& state, Bench& bench, const v1::Method& choice) {
+  *bench.plan.mutable_method() = choice;
+  const auto method = make_method(bench.plan, bench.scene);
+  std::uint64_t rays = 0;
+  for (auto _ : state) rays += bench.render(*method);
+  state.counters["Mrays/s"] =
+      benchmark::Counter(static_cast<double>(rays) / 1e6, benchmark::Counter::kIsRate);
+}
+
+void raw_embree(benchmark::State& state, Bench& bench) {
+  *bench.plan.mutable_method() = bench::rgb_method();
+  const std::uint64_t traced = bench.render(*make_method(bench.plan, bench.scene));
+  const bench::RawRays rays(bench.scene, bench.geometry, bench.plan);
+  if (rays.count() != traced) {
+    state.SkipWithError("the tracer did not issue the same rays");
+    return;
+  }
+  for (auto _ : state) rays.replay(bench.geometry.handle());
+  state.counters["Mrays/s"] = benchmark::Counter(
+      static_cast<double>(rays.count()) * static_cast<double>(state.iterations()) / 1e6,
+      benchmark::Counter::kIsRate);
+}
+
+/// The console's usual report, and the medians for the table.
+class Report : public benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override {
+    ConsoleReporter::ReportRuns(runs);
+    for (const Run& run : runs)
+      if (run.aggregate_name == "median")
+        medians_[run.run_name.function_name] = run.GetAdjustedRealTime();
+  }
+
+  void print_ratios() const {
+    const auto ratio = [&](const std::string& a, const std::string& b) {
+      std::printf("%-28s / %-20s %6.3f\n", a.c_str(), b.c_str(), medians_.at(a) / medians_.at(b));
+    };
+    std::printf("\ntime, relative (medians of this run; the source's Table 4.2-1 has 1.13, 1.15, "
+                "1.30, 1.60)\n");
+    for (const char* group : {"direct", "direct_1spp", "mirrors"})
+      for (const char* samples : {"7", "16", "61", "301"})
+        ratio(std::string(group) + "/point/" + samples, std::string(group) + "/rgb");
+    std::printf("\nshare of Embree's own rate for the same rays\n");
+    std::printf("%-51s %6.1f %%\n", "direct/rgb",
+                100 * medians_.at("direct/embree") / medians_.at("direct/rgb"));
+    std::printf("%-51s %6.1f %%\n", "direct/point/301",
+                100 * medians_.at("direct/embree") / medians_.at("direct/point/301"));
+  }
+
+ private:
+  std::map<std::string, double> medians_;
+};
+
+void add(const std::string& group, Bench& (*bench)()) {
+  const auto add_case = [&](const std::string& name, const v1::Method& method) {
+    benchmark::RegisterBenchmark((group + "/" + name).c_str(), [bench, method](auto& state) {
+      render(state, bench(), method);
+    })->Unit(benchmark::kMillisecond);
+  };
+  add_case("rgb", bench::rgb_method());
+  for (unsigned samples : {7u, 16u, 61u, 301u})
+    add_case("point/" + std::to_string(samples), bench::point_method(samples));
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  // Interleave the cases, so that a machine whose speed drifts favours none.
+  std::vector<char*> all{arguments[0]};
+  std::string defaults[] = {"--benchmark_enable_random_interleaving=true",
+                            "--benchmark_repetitions=9", "--benchmark_min_time=0.2",
+                            "--benchmark_report_aggregates_only=true"};
+  for (std::string& option : defaults) all.push_back(option.data());
+  all.insert(all.end(), arguments + 1, arguments + count);
+  int all_count = static_cast<int>(all.size());
+  benchmark::Initialize(&all_count, all.data());
+
+  add("direct", direct);
+  add("direct_1spp", direct_single);
+  add("mirrors", mirrors);
+  benchmark::RegisterBenchmark("direct/embree", [](auto& state) { raw_embree(state, direct()); })
+      ->Unit(benchmark::kMillisecond);
+  Report report;
+  benchmark::RunSpecifiedBenchmarks(&report);
+  report.print_ratios();
+}
