@@ -1,0 +1,21 @@
+#pragma once
+
+#include "client/cli/exit_code.h"
+#include "client/cli/options.h"
+
+/// The subcommands, one a file. Each does all that the word says, prints what there is to print,
+/// and returns the program's exit code.
+namespace metamer::cli {
+
+ExitCode render(const RenderOptions& options);
+ExitCode submit(const SubmitOptions& options);
+ExitCode check(const CheckOptions& options);
+ExitCode jobs(const JobsOptions& options);
+ExitCode watch(const WatchOptions& options);
+ExitCode fetch(const FetchOptions& options);
+ExitCode cancel(const ControlOptions& options);
+ExitCode pause(const ControlOptions& options);
+ExitCode resume(const ControlOptions& options);
+ExitCode info(const InfoOptions& options);
+
+}  // namespace metamer::cli

@@ -1,0 +1,93 @@
+#include "client/cli/connection.h"
+
+#include <boost/asio.hpp>
+#include <cstdlib>
+#include <optional>
+#include <utility>
+
+#include "client/session/private_server.h"
+
+namespace metamer::cli {
+namespace {
+
+namespace asio = boost::asio;
+
+/// A private server lives as long as the frame of this coroutine.
+asio::awaitable<ExitCode> connect_and_work(std::string server, Report& report, const Work& work) {
+  std::optional<PrivateServer> own;
+  if (server.empty()) {
+    Answer<PrivateServer> started = co_await PrivateServer::start();
+    if (!started) co_return report.session_error(started.error());
+    own.emplace(std::move(*started));
+    server = "unix:" + own->socket().string();
+  }
+
+  Answer<std::unique_ptr<Session>> session = co_await Session::connect(server);
+  if (!session) co_return report.session_error(session.error());
+  if (own) own->connected();
+
+  const ExitCode code = co_await work(**session);
+  co_return code;
+}
+
+/// Runs the coroutine until it ends, or until an interrupt stops the loop.
+ExitCode run(asio::io_context& loop, Report& report, asio::awaitable<ExitCode> main) {
+  std::optional<ExitCode> result;
+  asio::co_spawn(loop, std::move(main), [&](std::exception_ptr error, ExitCode code) {
+    try {
+      if (error) std::rethrow_exception(error);
+      result = code;
+    } catch (const std::exception& failure) {
+      report.error(failure.what());
+      result = ExitCode::other;
+    }
+    loop.stop();
+  });
+  loop.run();
+  if (!result) report.error("cancelled");
+  return result.value_or(ExitCode::cancelled);
+}
+
+}  // namespace
+
+Interrupts::Interrupts(asio::io_context& loop) : loop_(loop), signals_(loop, SIGINT, SIGTERM) {
+  wait();
+}
+
+void Interrupts::wait() {
+  signals_.async_wait([this](const boost::system::error_code& error, int) {
+    if (error) return;
+    if (std::exchange(seen_, true)) std::_Exit(static_cast<int>(ExitCode::cancelled));
+    if (action_) {
+      action_();
+      wait();
+    } else {
+      loop_.stop();
+    }
+  });
+}
+
+std::string server_name(const CommonOptions& options) {
+  if (!options.server.empty()) return options.server;
+  const char* named = std::getenv("METAMER_SERVER");
+  return named ? named : "";
+}
+
+ExitCode with_server(const CommonOptions& options, Report& report, Work work) {
+  const std::string server = server_name(options);
+  if (server.empty()) {
+    report.error("no server named: use --server unix:PATH or HOST:PORT, or set METAMER_SERVER");
+    return ExitCode::bad_input;
+  }
+  asio::io_context loop(1);
+  return run(loop, report, connect_and_work(server, report, work));
+}
+
+ExitCode with_any_server(const CommonOptions& options, Report& report, InterruptibleWork work) {
+  asio::io_context loop(1);
+  Interrupts interrupts(loop);
+  const Work with_interrupts = [&](Session& session) { return work(session, interrupts); };
+  return run(loop, report, connect_and_work(server_name(options), report, with_interrupts));
+}
+
+}  // namespace metamer::cli

@@ -1,0 +1,39 @@
+#include "client/cli/commands.h"
+#include "client/cli/connection.h"
+#include "client/cli/follow.h"
+#include "client/cli/output.h"
+
+namespace metamer::cli {
+namespace {
+
+/// The name that the job was submitted under, for the pictures' metadata.
+boost::asio::awaitable<Answer<std::string>> job_name(Session& session, std::uint64_t job_id) {
+  const Answer<v1::JobList> list = co_await session.list();
+  if (!list) co_return tl::unexpected<SessionError>(list.error());
+  for (const v1::JobSummary& job : list->job())
+    if (job.job_id() == job_id) co_return job.name();
+  co_return std::string();
+}
+
+boost::asio::awaitable<ExitCode> fetch_from(Session& session, const FetchOptions& options,
+                                            Report& report) {
+  const Answer<std::string> name = co_await job_name(session, options.job_id);
+  if (!name) co_return report.session_error(name.error());
+  const Answer<Followed> followed = co_await follow(session, options.job_id, true);
+  if (!followed) co_return report.session_error(followed.error());
+  const ExitCode code = conclude(*followed, nullptr, report);
+  if (code != ExitCode::done) co_return code;
+  co_return write_output(options.output, *followed, *name, report);
+}
+
+}  // namespace
+
+ExitCode fetch(const FetchOptions& options) {
+  Report report(options.common.json);
+  if (!check_output(options.output, report)) return report.finish(ExitCode::bad_input);
+  return report.finish(with_server(options.common, report, [&](Session& session) {
+    return fetch_from(session, options, report);
+  }));
+}
+
+}  // namespace metamer::cli

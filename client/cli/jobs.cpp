@@ -1,0 +1,27 @@
+#include "client/cli/commands.h"
+#include "client/cli/connection.h"
+#include "client/cli/job_text.h"
+
+namespace metamer::cli {
+namespace {
+
+boost::asio::awaitable<ExitCode> list_jobs(Session& session, Report& report) {
+  const Answer<v1::JobList> list = co_await session.list();
+  if (!list) co_return report.session_error(list.error());
+  report.document()["jobs"] = Json::array();
+  for (const v1::JobSummary& job : list->job()) {
+    report.document()["jobs"].push_back(to_json(job));
+    report.line(describe(job));
+  }
+  co_return ExitCode::done;
+}
+
+}  // namespace
+
+ExitCode jobs(const JobsOptions& options) {
+  Report report(options.common.json);
+  return report.finish(with_server(options.common, report,
+                                   [&](Session& session) { return list_jobs(session, report); }));
+}
+
+}  // namespace metamer::cli

@@ -1,0 +1,103 @@
+#include "client/cli/json.h"
+
+#include <google/protobuf/descriptor.h>
+
+#include <cctype>
+#include <string>
+
+#include "common/digest.h"
+
+namespace metamer::cli {
+namespace {
+
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
+
+std::string enum_word(const google::protobuf::EnumValueDescriptor* value) {
+  std::string word = value->name();
+  for (char& c : word) {
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (c == '_') c = '-';
+  }
+  return word;
+}
+
+Json bytes_json(const std::string& bytes) {
+  const auto digest = digest_from_bytes(bytes);
+  return digest ? Json(to_hex(*digest)) : Json(nullptr);
+}
+
+/// Singular, or element `i` of a repeated field.
+Json value_json(const Message& message, const FieldDescriptor* field, int i) {
+  const auto& reflect = *message.GetReflection();
+  const bool repeated = field->is_repeated();
+  switch (field->cpp_type()) {
+    case FieldDescriptor::CPPTYPE_INT32:
+      return repeated ? reflect.GetRepeatedInt32(message, field, i)
+                      : reflect.GetInt32(message, field);
+    case FieldDescriptor::CPPTYPE_INT64:
+      return repeated ? reflect.GetRepeatedInt64(message, field, i)
+                      : reflect.GetInt64(message, field);
+    case FieldDescriptor::CPPTYPE_UINT32:
+      return repeated ? reflect.GetRepeatedUInt32(message, field, i)
+                      : reflect.GetUInt32(message, field);
+    case FieldDescriptor::CPPTYPE_UINT64:
+      return repeated ? reflect.GetRepeatedUInt64(message, field, i)
+                      : reflect.GetUInt64(message, field);
+    case FieldDescriptor::CPPTYPE_DOUBLE:
+      return repeated ? reflect.GetRepeatedDouble(message, field, i)
+                      : reflect.GetDouble(message, field);
+    case FieldDescriptor::CPPTYPE_FLOAT:
+      return repeated ? reflect.GetRepeatedFloat(message, field, i)
+                      : reflect.GetFloat(message, field);
+    case FieldDescriptor::CPPTYPE_BOOL:
+      return repeated ? reflect.GetRepeatedBool(message, field, i)
+                      : reflect.GetBool(message, field);
+    case FieldDescriptor::CPPTYPE_ENUM:
+      return enum_word(repeated ? reflect.GetRepeatedEnum(message, field, i)
+                                : reflect.GetEnum(message, field));
+    case FieldDescriptor::CPPTYPE_MESSAGE:
+      return to_json(repeated ? reflect.GetRepeatedMessage(message, field, i)
+                              : reflect.GetMessage(message, field));
+    case FieldDescriptor::CPPTYPE_STRING: {
+      const std::string text = repeated ? reflect.GetRepeatedString(message, field, i)
+                                        : reflect.GetString(message, field);
+      return field->type() == FieldDescriptor::TYPE_BYTES ? bytes_json(text) : Json(text);
+    }
+  }
+  return nullptr;
+}
+
+bool is_pixels(const FieldDescriptor* field) {
+  return field->type() == FieldDescriptor::TYPE_BYTES &&
+         (field->name() == "xyz" || field->name() == "rgb");
+}
+
+}  // namespace
+
+Json to_json(const Message& message) {
+  const auto& reflect = *message.GetReflection();
+  Json object = Json::object();
+  for (int f = 0; f < message.GetDescriptor()->field_count(); ++f) {
+    const FieldDescriptor* field = message.GetDescriptor()->field(f);
+    if (is_pixels(field)) continue;
+    if (field->is_repeated()) {
+      Json& list = object[field->name()] = Json::array();
+      for (int i = 0; i < reflect.FieldSize(message, field); ++i)
+        list.push_back(value_json(message, field, i));
+    } else if (!field->has_presence() || reflect.HasField(message, field)) {
+      object[field->name()] = value_json(message, field, 0);
+    }
+  }
+  return object;
+}
+
+Json to_json(const Problem& problem) {
+  return {{"field", problem.field},
+          {"file", problem.file},
+          {"line", problem.line},
+          {"column", problem.column},
+          {"message", problem.message}};
+}
+
+}  // namespace metamer::cli

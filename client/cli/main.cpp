@@ -1,0 +1,155 @@
+// The command line's words. This file alone includes CLI11, which takes seconds to compile.
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "client/cli/commands.h"
+
+namespace metamer::cli {
+namespace {
+
+const char* const footer =
+    "Without --server (or METAMER_SERVER), render and check start a private server and end it\n"
+    "again; the other commands need one.\n"
+    "\n"
+    "Exit codes: 0 done, 2 bad input or usage, 3 no server, 4 job failed, 5 cancelled, 1 "
+    "otherwise.";
+
+void add_common(CLI::App& command, CommonOptions& options) {
+  command.add_option("--server", options.server, "unix:PATH or HOST:PORT; default $METAMER_SERVER");
+  command.add_flag("--json", options.json, "one JSON document on stdout");
+  command.footer(footer);
+}
+
+void add_scene(CLI::App& command, std::string& scene) {
+  command.add_option("scene", scene, "a scene file (.txtpb)")->required();
+}
+
+void add_job(CLI::App& command, std::uint64_t& job_id) {
+  command.add_option("job", job_id, "the job's number")->required();
+}
+
+void add_overrides(CLI::App& command, Overrides& options) {
+  const std::string group = "In place of the scene's settings";
+  const auto add = [&](const char* name, auto& value, const char* meaning) {
+    return command.add_option(name, value, meaning)->group(group);
+  };
+  add("--method", options.method, "how colour is carried: point or rgb");
+  add("--samples", options.samples, "point at FROM:TO:STEP nm, such as 400:700:5");
+  add("--wavelengths", options.wavelengths, "point at these nm, such as 400,436,546,700");
+  add("--size", options.size, "WIDTHxHEIGHT in pixels");
+  add("--spp", options.spp, "samples per pixel");
+  add("--depth", options.depth, "mirror reflections that a path may take");
+  add("--observer", options.observer, "cie-1931-2deg or cie-1964-10deg");
+  add("--threads", options.threads, "0: as many as the server has");
+  add("--tile-size", options.tile_size, "pixels, a multiple of 8");
+  add("--light", options.lights, "give a light a CIE illuminant: NAME=A, or *=A for all of them")
+      ->type_name("NAME=ILLUMINANT");
+}
+
+void add_output(CLI::App& command, OutputOptions& options) {
+  command.add_option("-o,--output", options.files, "a .png or .exr; may be given several times")
+      ->required();
+  command.add_option("--exr", options.exr, "what an .exr holds: rgb (linear sRGB) or xyz")
+      ->capture_default_str();
+}
+
+using Action = std::function<ExitCode()>;
+
+CLI::App& add_command(CLI::App& app, const char* name, const char* meaning, Action& chosen,
+                      Action action) {
+  CLI::App* command = app.add_subcommand(name, meaning);
+  command->callback([&chosen, action] { chosen = action; });
+  return *command;
+}
+
+/// All the subcommands' options; the one that was chosen reads its own.
+struct AllOptions {
+  RenderOptions render;
+  SubmitOptions submit;
+  CheckOptions check;
+  JobsOptions jobs;
+  WatchOptions watch;
+  FetchOptions fetch;
+  ControlOptions cancel, pause, resume;
+  InfoOptions info;
+};
+
+void add_scene_commands(CLI::App& app, AllOptions& all, Action& chosen) {
+  CLI::App& render_command = add_command(app, "render", "render a scene into picture files", chosen,
+                                         [&] { return render(all.render); });
+  add_scene(render_command, all.render.scene);
+  add_output(render_command, all.render.output);
+  add_overrides(render_command, all.render.overrides);
+  add_common(render_command, all.render.common);
+
+  CLI::App& submit_command = add_command(app, "submit", "queue a scene; prints the job's number",
+                                         chosen, [&] { return submit(all.submit); });
+  add_scene(submit_command, all.submit.scene);
+  add_overrides(submit_command, all.submit.overrides);
+  add_common(submit_command, all.submit.common);
+
+  CLI::App& check_command =
+      add_command(app, "check", "say what is wrong with a scene, or what would be rendered", chosen,
+                  [&] { return check(all.check); });
+  add_scene(check_command, all.check.scene);
+  add_overrides(check_command, all.check.overrides);
+  add_common(check_command, all.check.common);
+}
+
+void add_job_commands(CLI::App& app, AllOptions& all, Action& chosen) {
+  CLI::App& jobs_command =
+      add_command(app, "jobs", "list the jobs", chosen, [&] { return jobs(all.jobs); });
+  add_common(jobs_command, all.jobs.common);
+
+  CLI::App& watch_command = add_command(app, "watch", "print a job's events until it ends", chosen,
+                                        [&] { return watch(all.watch); });
+  add_job(watch_command, all.watch.job_id);
+  watch_command.add_option("--from", all.watch.from, "the first event's number");
+  watch_command.add_option("--preview", all.watch.preview, "a .png that is kept up to date");
+  add_common(watch_command, all.watch.common);
+
+  CLI::App& fetch_command = add_command(app, "fetch", "wait for a job and write its picture",
+                                        chosen, [&] { return fetch(all.fetch); });
+  add_job(fetch_command, all.fetch.job_id);
+  add_output(fetch_command, all.fetch.output);
+  add_common(fetch_command, all.fetch.common);
+
+  const auto add_control = [&](const char* name, const char* meaning, ControlOptions& options,
+                               ExitCode (*command)(const ControlOptions&)) {
+    CLI::App& added =
+        add_command(app, name, meaning, chosen, [command, &options] { return command(options); });
+    add_job(added, options.job_id);
+    add_common(added, options.common);
+  };
+  add_control("cancel", "end a job and drop what it rendered", all.cancel, cancel);
+  add_control("pause", "stop a job and keep what it rendered", all.pause, pause);
+  add_control("resume", "go on with a paused job", all.resume, resume);
+
+  CLI::App& info_command = add_command(app, "info", "what a server can do and how it is", chosen,
+                                       [&] { return info(all.info); });
+  add_common(info_command, all.info.common);
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Metamer renders scenes spectrally, on this machine or on a server.");
+  app.set_version_flag("--version", std::string("metamer ") + METAMER_VERSION);
+  app.require_subcommand(1);
+  app.footer(footer);
+
+  AllOptions all;
+  Action chosen;
+  add_scene_commands(app, all, chosen);
+  add_job_commands(app, all, chosen);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? static_cast<int>(ExitCode::done)
+                                : static_cast<int>(ExitCode::bad_input);
+  }
+  return static_cast<int>(chosen());
+}
+
+}  // namespace
+}  // namespace metamer::cli
+
+int main(int argc, char** argv) { return metamer::cli::run(argc, argv); }

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace metamer::cli {
+
+/// How to reach a server, and how to answer. Every subcommand has these.
+struct CommonOptions {
+  std::string
+      server;         ///< "unix:PATH" or "HOST:PORT"; empty: a private one, where that makes sense.
+  bool json = false;  ///< One JSON document on stdout.
+};
+
+/// What the command line says instead of the scene's own settings, as written.
+struct Overrides {
+  std::optional<std::string> method;       ///< "point", "rgb"
+  std::optional<std::string> samples;      ///< "400:700:5"
+  std::optional<std::string> wavelengths;  ///< "400,436,546,700"
+  std::optional<std::string> size;         ///< "640x480"
+  std::optional<std::string> observer;     ///< "cie-1931-2deg", "cie-1964-10deg"
+  std::optional<std::uint32_t> spp;
+  std::optional<std::uint32_t> depth;
+  std::optional<std::uint32_t> threads;
+  std::optional<std::uint32_t> tile_size;
+  std::vector<std::string> lights;  ///< "ceiling=A", "*=D65"
+};
+
+/// Where pictures go. An .exr holds linear sRGB, or XYZ.
+struct OutputOptions {
+  std::vector<std::string> files;
+  std::string exr = "rgb";  ///< "rgb", "xyz"
+};
+
+struct RenderOptions {
+  CommonOptions common;
+  std::string scene;
+  Overrides overrides;
+  OutputOptions output;
+};
+
+struct SubmitOptions {
+  CommonOptions common;
+  std::string scene;
+  Overrides overrides;
+};
+
+struct CheckOptions {
+  CommonOptions common;
+  std::string scene;
+  Overrides overrides;
+};
+
+struct JobsOptions {
+  CommonOptions common;
+};
+
+struct WatchOptions {
+  CommonOptions common;
+  std::uint64_t job_id = 0;
+  std::uint64_t from = 0;
+  std::string preview;  ///< A .png that is kept up to date; empty: none.
+};
+
+struct FetchOptions {
+  CommonOptions common;
+  std::uint64_t job_id = 0;
+  OutputOptions output;
+};
+
+/// cancel, pause, resume.
+struct ControlOptions {
+  CommonOptions common;
+  std::uint64_t job_id = 0;
+};
+
+struct InfoOptions {
+  CommonOptions common;
+};
+
+}  // namespace metamer::cli

@@ -1,0 +1,100 @@
+#include "client/cli/output.h"
+
+#include <google/protobuf/text_format.h>
+
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "common/image/image.h"
+
+namespace metamer::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string lower_extension(const std::string& file) {
+  std::string extension = fs::path(file).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+/// Why the file can't be written; empty: nothing speaks against it.
+std::string objection(const std::string& file) {
+  const std::string extension = lower_extension(file);
+  if (extension != ".png" && extension != ".exr")
+    return "\"" + file + "\" ends neither in .png nor in .exr";
+  const fs::path folder = fs::path(file).parent_path();
+  std::error_code error;
+  if (!folder.empty() && !fs::is_directory(folder, error))
+    return "there is no folder \"" + folder.string() + "\"";
+  return {};
+}
+
+std::map<std::string, std::string> metadata(const Followed& followed, const std::string& name) {
+  std::map<std::string, std::string> values = {{"metamer:version", METAMER_VERSION},
+                                               {"metamer:scene", name}};
+  google::protobuf::TextFormat::PrintToString(*followed.plan, &values["metamer:plan"]);
+  google::protobuf::TextFormat::PrintToString(followed.last.finished().timing(),
+                                              &values["metamer:timing"]);
+  return values;
+}
+
+std::string counted_pixels(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " pixel" : " pixels");
+}
+
+void note_gamut(const std::string& file, const GamutReport& gamut, Report& report) {
+  Problem note;
+  note.file = file;
+  if (gamut.negative > 0) {
+    note.message = counted_pixels(gamut.negative) + " outside the sRGB gamut, clipped";
+    report.note(note);
+  }
+  if (gamut.above > 0) {
+    note.message = counted_pixels(gamut.above) + " brighter than white, clipped";
+    report.note(note);
+  }
+}
+
+}  // namespace
+
+bool check_output(const OutputOptions& options, Report& report) {
+  bool good = true;
+  std::set<std::string> seen;
+  for (const std::string& file : options.files) {
+    std::string wrong = objection(file);
+    if (wrong.empty() && !seen.insert(fs::path(file).lexically_normal().string()).second)
+      wrong = "\"" + file + "\" is named twice";
+    if (!wrong.empty()) report.error("--output: " + wrong);
+    good = good && wrong.empty();
+  }
+  if (options.exr != "rgb" && options.exr != "xyz") {
+    report.error("--exr: \"" + options.exr + "\" is neither rgb nor xyz");
+    good = false;
+  }
+  return good;
+}
+
+ExitCode write_output(const OutputOptions& options, const Followed& followed,
+                      const std::string& name, Report& report) {
+  const auto values = metadata(followed, name);
+  ExitCode code = ExitCode::done;
+  for (const std::string& file : options.files) {
+    const bool png = lower_extension(file) == ".png";
+    const Result<GamutReport> gamut =
+        write_image(followed.film->image(), file, !png && options.exr == "xyz", values);
+    if (!gamut) {
+      report.problem(gamut.error(), {});
+      code = ExitCode::other;
+      continue;
+    }
+    if (png) note_gamut(file, *gamut, report);
+    report.document()["files"].push_back(file);
+    report.line(file);
+  }
+  return code;
+}
+
+}  // namespace metamer::cli

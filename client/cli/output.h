@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "client/cli/exit_code.h"
+#include "client/cli/follow.h"
+#include "client/cli/options.h"
+#include "client/cli/report.h"
+
+namespace metamer::cli {
+
+/// Whether the files named can be written at the end, before anything is rendered: known
+/// extensions, no name twice, folders that exist. Prints what is wrong.
+bool check_output(const OutputOptions& options, Report& report);
+
+/// Writes a finished job's picture into each of the files, with the plan, the timing, the scene's
+/// name and the version as metadata, and notes what a .png had to clip.
+ExitCode write_output(const OutputOptions& options, const Followed& followed,
+                      const std::string& name, Report& report);
+
+}  // namespace metamer::cli

@@ -1,0 +1,180 @@
+#include "client/cli/overrides.h"
+
+#include <charconv>
+#include <string_view>
+
+namespace metamer::cli {
+namespace {
+
+template <class T>
+std::optional<T> parse_number(std::string_view text) {
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+/// All the parts as numbers; nothing when one is none.
+template <class T>
+std::optional<std::vector<T>> parse_numbers(std::string_view text, char separator) {
+  std::vector<T> numbers;
+  for (std::string_view part : split(text, separator)) {
+    const std::optional<T> number = parse_number<T>(part);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+Result<void> apply_method(const Overrides& overrides, v1::Settings& settings,
+                          std::vector<Replaced>& replaced) {
+  const bool positions = overrides.samples || overrides.wavelengths;
+  if (overrides.samples && overrides.wavelengths)
+    return problem("--samples and --wavelengths exclude each other");
+
+  // Choose the method; positions ask for point sampling by themselves.
+  if (overrides.method == "rgb") {
+    if (positions) return problem("--method rgb has no wavelengths to choose");
+    settings.mutable_method()->mutable_rgb();
+    replaced.push_back({"settings.method", "--method"});
+  } else if (overrides.method == "point") {
+    settings.mutable_method()->mutable_point();
+  } else if (overrides.method) {
+    return problem("--method: no method named \"" + *overrides.method + "\"" +
+                   did_you_mean(*overrides.method, {"point", "rgb"}));
+  }
+
+  // Replace the positions as a whole: a step of the scene does not go with a range from here.
+  if (overrides.samples) {
+    const auto numbers = parse_numbers<double>(*overrides.samples, ':');
+    if (!numbers || numbers->size() != 3)
+      return problem("--samples: \"" + *overrides.samples +
+                     "\" is not FROM:TO:STEP, such as 400:700:5");
+    v1::Point* point = settings.mutable_method()->mutable_point();
+    point->Clear();
+    point->set_from((*numbers)[0]);
+    point->set_to((*numbers)[1]);
+    point->set_step((*numbers)[2]);
+    replaced.push_back({"settings.method", "--samples"});
+  }
+  if (overrides.wavelengths) {
+    const auto numbers = parse_numbers<double>(*overrides.wavelengths, ',');
+    if (!numbers)
+      return problem("--wavelengths: \"" + *overrides.wavelengths +
+                     "\" is not a list of numbers, such as 400,436,546,700");
+    v1::Point* point = settings.mutable_method()->mutable_point();
+    point->Clear();
+    for (const double nm : *numbers) point->add_wavelengths(nm);
+    replaced.push_back({"settings.method", "--wavelengths"});
+  }
+  return {};
+}
+
+Result<void> apply_size(const std::string& size, v1::Settings& settings,
+                        std::vector<Replaced>& replaced) {
+  const auto numbers = parse_numbers<std::uint32_t>(size, 'x');
+  if (!numbers || numbers->size() != 2)
+    return problem("--size: \"" + size + "\" is not WIDTHxHEIGHT, such as 640x480");
+  settings.set_width((*numbers)[0]);
+  settings.set_height((*numbers)[1]);
+  replaced.push_back({"settings.width", "--size"});
+  replaced.push_back({"settings.height", "--size"});
+  return {};
+}
+
+Result<void> apply_observer(const std::string& observer, v1::Settings& settings) {
+  if (observer == "cie-1931-2deg") {
+    settings.set_observer(v1::CIE_1931_2DEG);
+  } else if (observer == "cie-1964-10deg") {
+    settings.set_observer(v1::CIE_1964_10DEG);
+  } else {
+    return problem("--observer: no observer named \"" + observer + "\"" +
+                   did_you_mean(observer, {"cie-1931-2deg", "cie-1964-10deg"}));
+  }
+  return {};
+}
+
+void apply_numbers(const Overrides& overrides, v1::Settings& settings,
+                   std::vector<Replaced>& replaced) {
+  if (overrides.spp) {
+    settings.set_spp(*overrides.spp);
+    replaced.push_back({"settings.spp", "--spp"});
+  }
+  if (overrides.depth) {
+    settings.set_depth(*overrides.depth);
+    replaced.push_back({"settings.depth", "--depth"});
+  }
+  if (overrides.threads) {
+    settings.set_threads(*overrides.threads);
+    replaced.push_back({"settings.threads", "--threads"});
+  }
+  if (overrides.tile_size) {
+    settings.set_tile_size(*overrides.tile_size);
+    replaced.push_back({"settings.tile_size", "--tile-size"});
+  }
+}
+
+Result<void> apply_light(const std::string& text, v1::Scene& scene,
+                         std::vector<Replaced>& replaced) {
+  // The last "=" separates: an illuminant's name has none, a light's may.
+  const std::size_t equals = text.rfind('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
+    return problem("--light: \"" + text + "\" is not NAME=ILLUMINANT, such as ceiling=A");
+  const std::string name = text.substr(0, equals);
+
+  bool found = false;
+  std::vector<std::string> names;
+  for (int i = 0; i < scene.light_size(); ++i) {
+    v1::Light* light = scene.mutable_light(i);
+    names.push_back(light->name());
+    if (name != "*" && name != light->name()) continue;
+    found = true;
+    light->mutable_spectrum()->Clear();
+    light->mutable_spectrum()->set_standard(text.substr(equals + 1));
+    replaced.push_back({"light[" + std::to_string(i) + "].spectrum", "--light"});
+  }
+  if (!found)
+    return problem("--light: no light named \"" + name + "\"" + did_you_mean(name, names));
+  return {};
+}
+
+/// True for the field itself and for everything inside it.
+bool contains(const std::string& outer, const std::string& inner) {
+  if (inner.compare(0, outer.size(), outer) != 0) return false;
+  return inner.size() == outer.size() || inner[outer.size()] == '.' || inner[outer.size()] == '[';
+}
+
+}  // namespace
+
+Result<std::vector<Replaced>> apply(const Overrides& overrides, v1::Scene& scene) {
+  std::vector<Replaced> replaced;
+  v1::Settings& settings = *scene.mutable_settings();
+
+  Result<void> result = apply_method(overrides, settings, replaced);
+  if (result && overrides.size) result = apply_size(*overrides.size, settings, replaced);
+  if (result && overrides.observer) result = apply_observer(*overrides.observer, settings);
+  for (const std::string& light : overrides.lights)
+    if (result) result = apply_light(light, scene, replaced);
+  if (!result) return tl::unexpected<Problem>(std::move(result.error()));
+
+  apply_numbers(overrides, settings, replaced);
+  return replaced;
+}
+
+std::string option_of(const std::vector<Replaced>& replaced, const std::string& field) {
+  for (const Replaced& one : replaced)
+    if (contains(one.field, field)) return one.option;
+  return {};
+}
+
+}  // namespace metamer::cli

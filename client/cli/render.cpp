@@ -1,0 +1,73 @@
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/this_coro.hpp>
+#include <iostream>
+
+#include "client/cli/commands.h"
+#include "client/cli/connection.h"
+#include "client/cli/follow.h"
+#include "client/cli/output.h"
+#include "client/cli/scene_input.h"
+
+namespace metamer::cli {
+namespace {
+
+namespace asio = boost::asio;
+
+/// Says how to get the picture of a job that goes on without us.
+void tell_how_to_continue(const RenderOptions& options, std::uint64_t job_id, Report& report) {
+  report.document()["job_id"] = job_id;
+  const std::string server = server_name(options.common);
+  if (server.empty()) return;  // a private server takes its jobs along
+  std::string command = "metamer fetch " + std::to_string(job_id) + " --server " + server;
+  for (const std::string& file : options.output.files) command += " -o " + file;
+  if (options.output.exr != "rgb") command += " --exr " + options.output.exr;
+  report.document()["continue"] = command;
+  std::cerr << "job " << job_id << " goes on there; to get its picture: " << command << '\n';
+}
+
+asio::awaitable<void> cancel_job(Session& session, std::uint64_t job_id) {
+  // The watched stream tells how it ended; the answer itself adds nothing.
+  co_await session.cancel(job_id);
+}
+
+asio::awaitable<ExitCode> render_on(Session& session, Interrupts& interrupts,
+                                    const RenderOptions& options, const SceneInput& scene,
+                                    Report& report) {
+  const auto executor = co_await asio::this_coro::executor;
+  const Submission submission = make_submission(scene.scene(), scene.assets(), scene.name(), false);
+  const Answer<std::uint64_t> job_id = co_await session.submit(submission);
+  if (!job_id) co_return report.session_error(job_id.error());
+
+  interrupts.on_first([&session, executor, id = *job_id] {
+    asio::co_spawn(executor, cancel_job(session, id), asio::detached);
+  });
+  const Answer<Followed> followed = co_await follow(session, *job_id, true);
+  interrupts.on_first({});
+  if (!followed) {
+    const ExitCode code = report.session_error(followed.error());
+    if (followed.error().kind == SessionError::Kind::disconnected)
+      tell_how_to_continue(options, *job_id, report);
+    co_return code;
+  }
+
+  const ExitCode code = conclude(*followed, &scene, report);
+  if (code != ExitCode::done) co_return code;
+  co_return write_output(options.output, *followed, scene.name(), report);
+}
+
+}  // namespace
+
+ExitCode render(const RenderOptions& options) {
+  Report report(options.common.json);
+  if (!check_output(options.output, report)) return report.finish(ExitCode::bad_input);
+  const auto scene = SceneInput::load(options.scene, options.overrides, report);
+  if (!scene) return report.finish(ExitCode::bad_input);
+  const ExitCode code =
+      with_any_server(options.common, report, [&](Session& session, Interrupts& interrupts) {
+        return render_on(session, interrupts, options, *scene, report);
+      });
+  return report.finish(code);
+}
+
+}  // namespace metamer::cli

@@ -1,0 +1,86 @@
+#include "client/cli/report.h"
+
+#include <cstdio>
+#include <iostream>
+
+namespace metamer::cli {
+namespace {
+
+ExitCode exit_code(const SessionError& error) {
+  switch (error.kind) {
+    case SessionError::Kind::no_server:
+    case SessionError::Kind::version:
+    case SessionError::Kind::disconnected:
+      return ExitCode::no_server;
+    case SessionError::Kind::input:
+      return ExitCode::bad_input;
+    case SessionError::Kind::refused:
+      break;
+  }
+  switch (error.code) {
+    case v1::Error::NOT_FOUND:
+    case v1::Error::STATE:
+    case v1::Error::LIMIT:
+      return ExitCode::bad_input;
+    default:
+      return ExitCode::other;
+  }
+}
+
+}  // namespace
+
+void Report::error(const std::string& message) {
+  std::cerr << "error: " << message << '\n';
+  document_["errors"].push_back(message);
+}
+
+void Report::problem(const Problem& problem, std::string_view source) {
+  std::string text = format(problem, source);
+  if (text.empty() || text.back() != '\n') text += '\n';
+  std::cerr << text;
+  document_["problems"].push_back(to_json(problem));
+}
+
+void Report::note(const Problem& note) {
+  if (!note.file.empty()) {
+    std::cerr << note.file << ':';
+    if (note.line > 0) std::cerr << note.line << ':';
+    if (note.line > 0 && note.column > 0) std::cerr << note.column << ':';
+    std::cerr << ' ';
+  }
+  std::cerr << "note: " << note.message << '\n';
+  document_["notes"].push_back(to_json(note));
+}
+
+ExitCode Report::session_error(const SessionError& failure) {
+  error(failure.message);
+  for (const v1::Problem& one : failure.problems) problem(from_wire(one), {});
+  return exit_code(failure);
+}
+
+void Report::line(const std::string& text) {
+  if (!json_) std::cout << text << '\n' << std::flush;
+}
+
+ExitCode Report::finish(ExitCode code) {
+  if (json_) {
+    document_["exit_code"] = static_cast<int>(code);
+    // Bytes of a file's text may be no UTF-8: write a mark in their place rather than nothing.
+    std::cout << document_.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  }
+  std::cout.flush();
+  if (!std::cout && code == ExitCode::done) return ExitCode::other;
+  return code;
+}
+
+Problem from_wire(const v1::Problem& problem) {
+  Problem result;
+  result.field = problem.field();
+  result.file = problem.file();
+  result.line = static_cast<int>(problem.line());
+  result.column = static_cast<int>(problem.column());
+  result.message = problem.message();
+  return result;
+}
+
+}  // namespace metamer::cli

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "client/cli/exit_code.h"
+#include "client/cli/json.h"
+#include "client/session/error.h"
+#include "common/problem.h"
+
+namespace metamer::cli {
+
+/// What a subcommand has to say. People read errors and notes on stderr as they come; with --json
+/// the same facts also stand in the one document that finish() prints on stdout.
+class Report {
+ public:
+  explicit Report(bool json) : json_(json) {}
+
+  bool json() const { return json_; }
+  /// The answer's own fields, for --json.
+  Json& document() { return document_; }
+
+  /// Something that is wrong with nobody's file.
+  void error(const std::string& message);
+  /// Something wrong at a place; `source` is the text of problem.file, for the line and caret.
+  void problem(const Problem& problem, std::string_view source);
+  /// Something worth knowing.
+  void note(const Problem& note);
+  /// A session's failure, with the problems that came with it. Returns the exit code it means.
+  ExitCode session_error(const SessionError& error);
+
+  /// A line of the answer on stdout; nothing with --json.
+  void line(const std::string& text);
+
+  /// The last call: prints the document with --json. Error: stdout can't be written.
+  ExitCode finish(ExitCode code);
+
+ private:
+  bool json_;
+  Json document_ = Json::object();
+};
+
+/// A problem as it came over the wire.
+Problem from_wire(const v1::Problem& problem);
+
+}  // namespace metamer::cli

@@ -1,0 +1,29 @@
+#include "client/cli/commands.h"
+#include "client/cli/connection.h"
+#include "client/cli/scene_input.h"
+
+namespace metamer::cli {
+namespace {
+
+boost::asio::awaitable<ExitCode> submit_to(Session& session, const SceneInput& scene,
+                                           Report& report) {
+  const Submission submission = make_submission(scene.scene(), scene.assets(), scene.name(), false);
+  const Answer<std::uint64_t> job_id = co_await session.submit(submission);
+  if (!job_id) co_return report.session_error(job_id.error());
+  report.document()["job_id"] = *job_id;
+  report.line(std::to_string(*job_id));
+  co_return ExitCode::done;
+}
+
+}  // namespace
+
+ExitCode submit(const SubmitOptions& options) {
+  Report report(options.common.json);
+  const auto scene = SceneInput::load(options.scene, options.overrides, report);
+  if (!scene) return report.finish(ExitCode::bad_input);
+  return report.finish(with_server(options.common, report, [&](Session& session) {
+    return submit_to(session, *scene, report);
+  }));
+}
+
+}  // namespace metamer::cli

@@ -1,0 +1,167 @@
+#include "client/session/private_server.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/pidfd.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <boost/asio.hpp>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace metamer {
+namespace {
+
+namespace asio = boost::asio;
+namespace fs = std::filesystem;
+
+constexpr int child_lifeline = 3;  // the descriptor that the daemon is told about
+
+tl::unexpected<SessionError> no_server(std::string message) {
+  return session_error(SessionError::Kind::no_server, std::move(message));
+}
+
+/// The daemon beside our own program; its bare name, to be found in PATH, when there is none.
+std::string find_daemon() {
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  const fs::path beside = self.parent_path() / "metamerd";
+  return !error && access(beside.c_str(), X_OK) == 0 ? beside.string() : "metamerd";
+}
+
+/// A folder that only we can enter. Its path is short: a Unix socket's is limited to 107 bytes.
+Answer<fs::path> make_folder() {
+  const char* base = std::getenv("XDG_RUNTIME_DIR");
+  if (base == nullptr || access(base, W_OK | X_OK) != 0 || std::strlen(base) > 60) base = "/tmp";
+  std::string pattern = std::string(base) + "/metamer-XXXXXX";
+  if (mkdtemp(pattern.data()) == nullptr)
+    return no_server("cannot make a folder for a socket in " + std::string(base) + ": " +
+                     std::strerror(errno));
+  return fs::path(pattern);
+}
+
+/// Starts the daemon in a process group of its own, so that a Ctrl-C at the terminal is ours
+/// alone; its log goes into the folder. Returns its pid.
+Answer<pid_t> spawn_daemon(const std::string& daemon, const fs::path& folder, int lifeline) {
+  const std::string listen = "unix:" + (folder / "socket").string();
+  const std::string log = (folder / "log").string();
+  std::vector<std::string> words = {daemon, "--listen", listen, "--parent-fd",
+                                    std::to_string(child_lifeline)};
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, 1, log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
+  posix_spawn_file_actions_adddup2(&actions, 1, 2);
+  posix_spawn_file_actions_adddup2(&actions, lifeline, child_lifeline);
+
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
+
+  pid_t pid = -1;
+  const int error = posix_spawnp(&pid, daemon.c_str(), &actions, &attributes, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  posix_spawnattr_destroy(&attributes);
+  if (error != 0) return no_server("cannot start " + daemon + ": " + std::strerror(error));
+  return pid;
+}
+
+/// Waits for the line `ready`. `descriptor` stays the caller's.
+asio::awaitable<bool> wait_for_ready(int descriptor) {
+  const auto executor = co_await asio::this_coro::executor;
+  asio::local::stream_protocol::socket socket(executor, asio::local::stream_protocol(),
+                                              dup(descriptor));
+  asio::steady_timer limit(executor, PrivateServer::start_time_limit);
+  limit.async_wait([&socket](const boost::system::error_code& error) {
+    if (!error) socket.cancel();
+  });
+  constexpr std::size_t max_line = 64;
+  std::string line;
+  boost::system::error_code error;
+  co_await asio::async_read_until(socket, asio::dynamic_buffer(line, max_line), '\n',
+                                  asio::redirect_error(asio::use_awaitable, error));
+  limit.cancel();
+  co_return !error && line == "ready\n";
+}
+
+}  // namespace
+
+asio::awaitable<Answer<PrivateServer>> PrivateServer::start() {
+  PrivateServer server;
+
+  // Make the pair that ties the daemon's life to ours; only its own end is inherited.
+  std::array<int, 2> pair{};
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair.data()) != 0)
+    co_return no_server(std::string("cannot make a socket pair: ") + std::strerror(errno));
+  server.lifeline_ = pair[0];
+
+  // Start it.
+  Answer<fs::path> folder = make_folder();
+  if (!folder) {
+    close(pair[1]);
+    co_return tl::unexpected<SessionError>(std::move(folder.error()));
+  }
+  server.folder_ = *folder;
+  const std::string daemon = find_daemon();
+  Answer<pid_t> pid = spawn_daemon(daemon, server.folder_, pair[1]);
+  close(pair[1]);
+  if (!pid) co_return tl::unexpected<SessionError>(std::move(pid.error()));
+  server.pid_ = *pid;
+
+  // Wait until it listens.
+  const bool ready = co_await wait_for_ready(server.lifeline_);
+  if (!ready) co_return no_server("the private " + daemon + " did not start" + server.last_words());
+  co_return Answer<PrivateServer>(std::move(server));
+}
+
+PrivateServer::PrivateServer(PrivateServer&& other) noexcept
+    : pid_(std::exchange(other.pid_, -1)),
+      lifeline_(std::exchange(other.lifeline_, -1)),
+      folder_(std::exchange(other.folder_, {})) {}
+
+PrivateServer::~PrivateServer() {
+  if (lifeline_ >= 0) close(lifeline_);
+  if (pid_ > 0) {
+    const int process = pidfd_open(pid_, 0);
+    pollfd ended{process, POLLIN, 0};
+    const auto limit = std::chrono::duration_cast<std::chrono::milliseconds>(stop_time_limit);
+    if (process < 0 || poll(&ended, 1, static_cast<int>(limit.count())) != 1) kill(pid_, SIGKILL);
+    if (process >= 0) close(process);
+    waitpid(pid_, nullptr, 0);
+  }
+  connected();
+}
+
+void PrivateServer::connected() {
+  if (folder_.empty()) return;
+  std::error_code ignored;  // a folder that is gone already is as good
+  fs::remove_all(folder_, ignored);
+  folder_.clear();
+}
+
+std::string PrivateServer::last_words() const {
+  std::ifstream log(folder_ / "log");
+  std::string line, last;
+  while (std::getline(log, line))
+    if (!line.empty()) last = line;
+  return last.empty() ? std::string() : ": " + last;
+}
+
+}  // namespace metamer

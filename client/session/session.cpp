@@ -1,0 +1,326 @@
+#include "client/session/session.h"
+
+#include <algorithm>
+#include <boost/asio.hpp>
+#include <boost/asio/experimental/channel.hpp>
+#include <chrono>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "common/wire/channel.h"
+#include "common/wire/endpoint.h"
+#include "common/wire/protocol_version.h"
+
+namespace metamer {
+namespace {
+
+namespace asio = boost::asio;
+using boost::system::error_code;
+using Kind = SessionError::Kind;
+
+/// Answers that wait for the coroutine that asked. A full one holds the reader back, and so in
+/// the end the server: memory stays bounded however slow we are.
+using Inbox = asio::experimental::channel<void(error_code, v1::Envelope)>;
+constexpr std::size_t inbox_size = 16;
+
+constexpr auto as_tuple = asio::as_tuple(asio::use_awaitable);
+
+tl::unexpected<SessionError> refused(const v1::Error& error) {
+  SessionError result;
+  result.kind = error.code() == v1::Error::VERSION ? Kind::version : Kind::refused;
+  result.message = error.message();
+  result.code = error.code();
+  result.problems.assign(error.problem().begin(), error.problem().end());
+  return tl::unexpected<SessionError>(std::move(result));
+}
+
+tl::unexpected<SessionError> unexpected_answer() {
+  return session_error(Kind::disconnected, "the server sent an answer that fits no question");
+}
+
+}  // namespace
+
+struct Session::State {
+  State(wire::Socket socket, std::string named)
+      : channel(std::move(socket), wire::Peer::server),
+        server(std::move(named)),
+        write_turn(channel.executor(), 1) {}
+
+  /// Ends every exchange, under way or to come, with this reason.
+  void lose(std::string reason) {
+    if (lost) return;
+    lost = "lost the connection to " + server + ": " + reason;
+    channel.close();
+    for (auto& [id, inbox] : inboxes) inbox->close();
+  }
+  tl::unexpected<SessionError> why_lost() const {
+    return session_error(Kind::disconnected, lost.value_or("the session is closed"));
+  }
+
+  static asio::awaitable<void> read_all(std::shared_ptr<State> state);
+  asio::awaitable<void> write(const v1::Envelope& envelope);
+
+  wire::Channel channel;
+  std::string server;
+  v1::Welcome welcome;
+  std::map<std::uint64_t, std::shared_ptr<Inbox>> inboxes;
+  std::uint64_t last_id = 0;
+  std::optional<std::string> lost;
+  /// Holds a token while somebody writes: the channel takes one writer at a time.
+  asio::experimental::channel<void(error_code)> write_turn;
+};
+
+/// One question and its answers: a request's number, and the inbox for it while this lives.
+class Session::Exchange {
+ public:
+  explicit Exchange(State& state)
+      : state_(state),
+        id_(++state.last_id),
+        inbox_(std::make_shared<Inbox>(state.channel.executor(), inbox_size)) {
+    state.inboxes.emplace(id_, inbox_);
+  }
+  Exchange(const Exchange&) = delete;
+  Exchange& operator=(const Exchange&) = delete;
+  ~Exchange() {
+    inbox_->close();
+    state_.inboxes.erase(id_);
+  }
+
+  std::uint64_t id() const { return id_; }
+  bool has_answer() const { return inbox_->ready(); }
+
+  /// The next answer; an Error is turned into one of ours.
+  asio::awaitable<Answer<v1::Envelope>> receive() {
+    if (state_.lost && !inbox_->ready()) co_return state_.why_lost();
+    auto [error, envelope] = co_await inbox_->async_receive(as_tuple);
+    if (error) co_return state_.why_lost();
+    if (envelope.has_error()) co_return refused(envelope.error());
+    co_return Answer<v1::Envelope>(std::move(envelope));
+  }
+
+ private:
+  State& state_;
+  std::uint64_t id_;
+  std::shared_ptr<Inbox> inbox_;
+};
+
+asio::awaitable<void> Session::State::read_all(std::shared_ptr<State> state) {
+  while (!state->lost) {
+    v1::Envelope envelope;
+    const auto got = co_await state->channel.read(envelope);
+    if (!got) {
+      state->lose(got.error().message);
+      co_return;
+    }
+    const auto found = state->inboxes.find(envelope.request_id());
+    if (found == state->inboxes.end()) {
+      // What belongs to no request is about the connection, or comes too late.
+      if (envelope.has_error() && envelope.request_id() == 0)
+        state->lose(envelope.error().message());
+      continue;
+    }
+    const std::shared_ptr<Inbox> inbox = found->second;
+    co_await inbox->async_send(error_code(), std::move(envelope), as_tuple);
+  }
+}
+
+asio::awaitable<void> Session::State::write(const v1::Envelope& envelope) {
+  co_await write_turn.async_send(error_code(), as_tuple);
+  if (!lost) {
+    const auto written = co_await channel.write(envelope);
+    // The server may have said why before it closed: let the reader come to it.
+    if (!written) channel.shutdown_receive();
+  }
+  co_await write_turn.async_receive(as_tuple);
+}
+
+Session::Session(std::shared_ptr<State> state) : state_(std::move(state)) {}
+
+Session::~Session() { state_->lose("it was closed"); }
+
+const v1::Welcome& Session::welcome() const { return state_->welcome; }
+
+asio::awaitable<Answer<std::unique_ptr<Session>>> Session::connect(std::string server) {
+  const auto endpoint = wire::parse_endpoint(server);
+  if (!endpoint) co_return session_error(Kind::no_server, endpoint.error().message);
+  const auto executor = co_await asio::this_coro::executor;
+  auto socket = wire::connect(executor, *endpoint);
+  if (!socket) co_return session_error(Kind::no_server, socket.error().message);
+
+  auto state = std::make_shared<State>(std::move(*socket), wire::to_string(*endpoint));
+  asio::co_spawn(executor, State::read_all(state), asio::detached);
+  std::unique_ptr<Session> session(new Session(state));
+
+  // Shake hands.
+  v1::Envelope request;
+  request.mutable_hello()->set_protocol_version(wire::protocol_version);
+  request.mutable_hello()->set_client(std::string("metamer ") + METAMER_VERSION);
+  Answer<v1::Envelope> answer = co_await session->ask(std::move(request));
+  if (!answer) co_return tl::unexpected<SessionError>(std::move(answer.error()));
+  if (!answer->has_welcome()) co_return unexpected_answer();
+  state->welcome = std::move(*answer->mutable_welcome());
+  if (state->welcome.protocol_version() != wire::protocol_version)
+    co_return session_error(Kind::version, state->server + " speaks version " +
+                                               std::to_string(state->welcome.protocol_version()) +
+                                               " of the protocol, this program version " +
+                                               std::to_string(wire::protocol_version));
+  co_return Answer<std::unique_ptr<Session>>(std::move(session));
+}
+
+asio::awaitable<Answer<v1::Envelope>> Session::ask(v1::Envelope request) {
+  // Keep to the server's limit; before Welcome there is none to keep to.
+  const std::uint64_t limit = state_->welcome.limits().control_frame();
+  if (limit > 0 && request.ByteSizeLong() + 16 > limit)
+    co_return session_error(Kind::input, "a request of " + std::to_string(request.ByteSizeLong()) +
+                                             " bytes is over the server's limit of " +
+                                             std::to_string(limit));
+  Exchange exchange(*state_);
+  request.set_request_id(exchange.id());
+  co_await state_->write(request);
+  co_return co_await exchange.receive();
+}
+
+asio::awaitable<Answer<double>> Session::ping() {
+  v1::Envelope request;
+  request.mutable_ping();
+  const auto begin = std::chrono::steady_clock::now();
+  Answer<v1::Envelope> answer = co_await ask(std::move(request));
+  if (!answer) co_return tl::unexpected<SessionError>(std::move(answer.error()));
+  if (!answer->has_pong()) co_return unexpected_answer();
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  co_return taken.count();
+}
+
+asio::awaitable<Answer<v1::Info>> Session::info() {
+  v1::Envelope request;
+  request.mutable_get_info();
+  Answer<v1::Envelope> answer = co_await ask(std::move(request));
+  if (!answer) co_return tl::unexpected<SessionError>(std::move(answer.error()));
+  if (!answer->has_info()) co_return unexpected_answer();
+  co_return std::move(*answer->mutable_info());
+}
+
+asio::awaitable<Answer<v1::JobList>> Session::list() {
+  v1::Envelope request;
+  request.mutable_list_jobs();
+  Answer<v1::Envelope> answer = co_await ask(std::move(request));
+  if (!answer) co_return tl::unexpected<SessionError>(std::move(answer.error()));
+  if (!answer->has_job_list()) co_return unexpected_answer();
+  co_return std::move(*answer->mutable_job_list());
+}
+
+asio::awaitable<Answer<v1::JobSummary>> Session::control(v1::Envelope request) {
+  Answer<v1::Envelope> answer = co_await ask(std::move(request));
+  if (!answer) co_return tl::unexpected<SessionError>(std::move(answer.error()));
+  if (!answer->has_job_summary()) co_return unexpected_answer();
+  co_return std::move(*answer->mutable_job_summary());
+}
+
+asio::awaitable<Answer<v1::JobSummary>> Session::cancel(std::uint64_t job_id) {
+  v1::Envelope request;
+  request.mutable_cancel()->set_job_id(job_id);
+  return control(std::move(request));
+}
+
+asio::awaitable<Answer<v1::JobSummary>> Session::pause(std::uint64_t job_id) {
+  v1::Envelope request;
+  request.mutable_pause()->set_job_id(job_id);
+  return control(std::move(request));
+}
+
+asio::awaitable<Answer<v1::JobSummary>> Session::resume(std::uint64_t job_id) {
+  v1::Envelope request;
+  request.mutable_resume()->set_job_id(job_id);
+  return control(std::move(request));
+}
+
+asio::awaitable<Answer<std::uint64_t>> Session::submit(const Submission& submission) {
+  const v1::Limits& limits = state_->welcome.limits();
+  if (submission.uploads.size() > limits.assets_per_job())
+    co_return session_error(
+        Kind::input, "the scene and its files are " + std::to_string(submission.uploads.size()) +
+                         " assets; the server takes " + std::to_string(limits.assets_per_job()));
+
+  // Ask what the server lacks, in as many requests as the limit of a frame makes necessary.
+  constexpr std::size_t digests_at_once = 4096;  // × 34 bytes: 136 KiB
+  std::map<Digest, const Upload*> missing;
+  for (std::size_t begin = 0; begin < submission.uploads.size(); begin += digests_at_once) {
+    const std::size_t end = std::min(begin + digests_at_once, submission.uploads.size());
+    v1::Envelope offer;
+    std::map<Digest, const Upload*> offered;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Upload& upload = submission.uploads[i];
+      offer.mutable_offer_assets()->add_sha256(std::string(to_bytes(upload.sha256)));
+      offered.emplace(upload.sha256, &upload);
+    }
+    Answer<v1::Envelope> answer = co_await ask(std::move(offer));
+    if (!answer) co_return tl::unexpected<SessionError>(std::move(answer.error()));
+    if (!answer->has_missing_assets()) co_return unexpected_answer();
+    for (const std::string& bytes : answer->missing_assets().sha256()) {
+      const auto digest = digest_from_bytes(bytes);
+      const auto found = digest ? offered.find(*digest) : offered.end();
+      if (found == offered.end()) co_return unexpected_answer();
+      missing.insert(*found);
+    }
+  }
+
+  // Send only that, then the job.
+  for (const auto& [digest, upload] : missing) {
+    Answer<void> sent = co_await send(*upload);
+    if (!sent) co_return tl::unexpected<SessionError>(std::move(sent.error()));
+  }
+  v1::Envelope request;
+  *request.mutable_submit() = submission.request;
+  Answer<v1::Envelope> answer = co_await ask(std::move(request));
+  if (!answer) co_return tl::unexpected<SessionError>(std::move(answer.error()));
+  if (!answer->has_submitted()) co_return unexpected_answer();
+  co_return answer->submitted().job_id();
+}
+
+asio::awaitable<Answer<void>> Session::send(const Upload& upload) {
+  const v1::Limits& limits = state_->welcome.limits();
+  if (upload.size > limits.asset())
+    co_return session_error(Kind::input, upload.name + " has " + std::to_string(upload.size) +
+                                             " bytes; the server takes " +
+                                             std::to_string(limits.asset()));
+  const std::uint64_t chunk = std::clamp<std::uint64_t>(limits.chunk(), 1, wire::max_chunk);
+  Answer<Chunks> chunks = Chunks::open(upload, chunk);
+  if (!chunks) co_return tl::unexpected<SessionError>(std::move(chunks.error()));
+
+  // Stop early when the server has said something already: that can only be a refusal.
+  Exchange exchange(*state_);
+  while (!chunks->done() && !exchange.has_answer() && !state_->lost) {
+    Answer<v1::AssetChunk> piece = chunks->next();
+    if (!piece) co_return tl::unexpected<SessionError>(std::move(piece.error()));
+    v1::Envelope envelope;
+    envelope.set_request_id(exchange.id());
+    *envelope.mutable_asset_chunk() = std::move(*piece);
+    co_await state_->write(envelope);
+  }
+  Answer<v1::Envelope> answer = co_await exchange.receive();
+  if (!answer) co_return tl::unexpected<SessionError>(std::move(answer.error()));
+  if (!answer->has_asset_stored()) co_return unexpected_answer();
+  co_return Answer<void>();
+}
+
+asio::awaitable<Answer<void>> Session::watch(v1::Watch request, OnEvent on_event) {
+  Exchange exchange(*state_);
+  v1::Envelope envelope;
+  envelope.set_request_id(exchange.id());
+  *envelope.mutable_watch() = std::move(request);
+  co_await state_->write(envelope);
+
+  while (true) {
+    Answer<v1::Envelope> answer = co_await exchange.receive();
+    if (!answer) co_return tl::unexpected<SessionError>(std::move(answer.error()));
+    if (!answer->has_job_event()) co_return unexpected_answer();
+    const v1::JobEvent& event = answer->job_event();
+    Answer<void> taken = on_event(event);
+    if (!taken) co_return tl::unexpected<SessionError>(std::move(taken.error()));
+    if (event.has_finished() || event.has_failed() || event.has_cancelled())
+      co_return Answer<void>();
+  }
+}
+
+}  // namespace metamer

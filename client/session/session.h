@@ -1,0 +1,54 @@
+#pragma once
+
+#include <boost/asio/awaitable.hpp>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "client/session/error.h"
+#include "client/session/submission.h"
+#include "metamer/v1/envelope.pb.h"
+
+namespace metamer {
+
+/// A connection to a server after its handshake. All its coroutines run on the executor that
+/// connect() ran on, which one thread drives; several may be under way at once: a job can be
+/// cancelled while it is watched. Once the connection is lost every call says so.
+class Session {
+ public:
+  /// Connects to "unix:PATH" or "HOST:PORT" and shakes hands.
+  /// Errors: no_server (with the system's reason; also for an address that is none), version.
+  static boost::asio::awaitable<Answer<std::unique_ptr<Session>>> connect(std::string server);
+  ~Session();
+
+  const v1::Welcome& welcome() const;
+
+  /// Seconds that an answer takes.
+  boost::asio::awaitable<Answer<double>> ping();
+  boost::asio::awaitable<Answer<v1::Info>> info();
+  boost::asio::awaitable<Answer<v1::JobList>> list();
+  boost::asio::awaitable<Answer<v1::JobSummary>> cancel(std::uint64_t job_id);
+  boost::asio::awaitable<Answer<v1::JobSummary>> pause(std::uint64_t job_id);
+  boost::asio::awaitable<Answer<v1::JobSummary>> resume(std::uint64_t job_id);
+
+  /// Sends what the server lacks, then the job; gives its number. `submission` must outlive it.
+  boost::asio::awaitable<Answer<std::uint64_t>> submit(const Submission& submission);
+
+  /// Gives the job's events to `on_event`, in order, until its last one. An error of `on_event`
+  /// ends it early and is passed on.
+  using OnEvent = std::function<Answer<void>(const v1::JobEvent&)>;
+  boost::asio::awaitable<Answer<void>> watch(v1::Watch request, OnEvent on_event);
+
+ private:
+  struct State;
+  class Exchange;
+  explicit Session(std::shared_ptr<State> state);
+  boost::asio::awaitable<Answer<v1::Envelope>> ask(v1::Envelope request);
+  boost::asio::awaitable<Answer<v1::JobSummary>> control(v1::Envelope request);
+  boost::asio::awaitable<Answer<void>> send(const Upload& upload);
+
+  std::shared_ptr<State> state_;
+};
+
+}  // namespace metamer
