@@ -229,7 +229,7 @@ void EmbreeScene::shading_normal(const RTCRayHit8& rays, int lane, Hits& hits) c
   const unsigned instance = rays.hit.instID[0][lane];
   const bool instanced = instance != RTC_INVALID_GEOMETRY_ID;
   const Placed& placed = placed_[instanced ? instance : rays.hit.geomID[lane]];
-  hits.material[static_cast<std::size_t>(lane)] = static_cast<int>(placed.material);
+  hits.material[lane] = static_cast<int>(placed.material);
   const auto set = [lane](Vec8& to, const std::array<float, 3>& v) {
     to.x[lane] = v[0];
     to.y[lane] = v[1];

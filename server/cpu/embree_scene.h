@@ -15,11 +15,11 @@ namespace metamer::cpu {
 
 /// What eight camera or mirror rays have met.
 struct Hits {
-  Int8 hit;                     ///< Mask.
-  Float8 distance;              ///< Along the ray, where it hit.
-  std::array<int, 8> material;  ///< Index into RenderScene::materials, where it hit.
-  Vec8 geometric_normal;        ///< Unit, on the ray's side.
-  Vec8 normal;  ///< Unit: interpolated where the mesh has normals; on the same side.
+  Int8 hit;               ///< Mask.
+  Float8 distance;        ///< Along the ray, where it hit.
+  Int8 material{};        ///< Index into RenderScene::materials, where it hit.
+  Vec8 geometric_normal;  ///< Unit, on the ray's side.
+  Vec8 normal;            ///< Unit: interpolated where the mesh has normals; on the same side.
 };
 
 /// The geometry in Embree. An object whose mesh no other object shares is placed in the world once

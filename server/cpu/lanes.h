@@ -59,6 +59,14 @@ inline int count(Int8 mask) {
   return n;
 }
 
+/// The sum of eight lanes, by halves: always in the same order.
+inline float sum(Float8 a) {
+  using Float4 = float __attribute__((vector_size(16)));
+  const Float4 halves =
+      __builtin_shufflevector(a, a, 0, 1, 2, 3) + __builtin_shufflevector(a, a, 4, 5, 6, 7);
+  return (halves[0] + halves[2]) + (halves[1] + halves[3]);
+}
+
 /// Moves lanes to and from Embree's aligned arrays of eight.
 inline void store(float* to, Float8 from) { std::memcpy(to, &from, sizeof from); }
 inline void store(int* to, Int8 from) { std::memcpy(to, &from, sizeof from); }

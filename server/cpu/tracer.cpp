@@ -24,6 +24,13 @@ Float8 cosine(Float8 value) { return min(max(value, Float8{}), metamer::broadcas
 
 }  // namespace
 
+/// Where the lanes of a packet are gathered.
+struct Tracer::Places {
+  std::array<std::uint32_t, 8> surface{};  ///< Of the pixel's gather.
+  bool together = true;                    ///< All active lanes in the same place.
+  unsigned first = 0;                      ///< An active lane.
+};
+
 /// Eight rays on their way, and where their light goes.
 struct Tracer::Packet {
   Vec8 origin{}, direction{};  ///< Directions are unit.
@@ -36,13 +43,9 @@ struct Tracer::Packet {
 
 Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const Method& method,
                const v1::Plan& plan)
-    : scene_(scene),
-      geometry_(geometry),
-      method_(method),
-      depth_(plan.depth()),
-      spp_(plan.spp()),
-      pattern_(sample_pattern(plan.spp())) {
+    : scene_(scene), geometry_(geometry), method_(method), depth_(plan.depth()), spp_(plan.spp()) {
   std::tie(block_width_, block_height_) = block_size(spp_);
+  prepare_samples();
   for (const RenderLight& light : scene.lights)
     lights_.push_back({light.directional, broadcast(light.place),
                        static_cast<float>(light.reference_distance * light.reference_distance)});
@@ -55,6 +58,20 @@ Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const Meth
   down_ = broadcast(Eigen::Vector3d(-camera.up * pixel));
   corner_ = broadcast(Eigen::Vector3d(camera.forward - camera.right * (pixel * plan.width() / 2) +
                                       camera.up * (pixel * plan.height() / 2)));
+}
+
+void Tracer::prepare_samples() {
+  const std::vector<SamplePoint> pattern = sample_pattern(spp_);
+  const unsigned count = spp_ * block_width_ * block_height_;
+  samples_.resize((count + lane_count - 1) / lane_count);
+  for (unsigned i = 0; i < count; ++i) {
+    const unsigned pixel = i / spp_, lane = i % lane_count;
+    Samples& samples = samples_[i / lane_count];
+    samples.active[lane] = -1;
+    samples.pixel[lane] = pixel;
+    samples.x[lane] = static_cast<float>(pixel % block_width_) + pattern[i % spp_].x;
+    samples.y[lane] = static_cast<float>(pixel / block_width_) + pattern[i % spp_].y;
+  }
 }
 
 Tracer::Workspace Tracer::make_workspace() const {
@@ -76,22 +93,13 @@ void Tracer::render(const Rect& tile, const Film& film, Workspace& workspace,
 void Tracer::render_block(std::uint32_t x, std::uint32_t y, const Film& film,
                           Workspace& workspace) const {
   for (Gather& gather : workspace.gathers) gather.clear();
-  const unsigned samples = spp_ * block_width_ * block_height_;
-  for (unsigned first = 0; first < samples; first += lane_count) {
-    // Give each lane a sample of a pixel of the block.
+  for (const Samples& samples : samples_) {
+    const Float8 film_x = metamer::broadcast(static_cast<float>(x)) + samples.x;
+    const Float8 film_y = metamer::broadcast(static_cast<float>(y)) + samples.y;
     Packet packet;
-    Float8 film_x{}, film_y{};
-    for (unsigned lane = 0; lane < lane_count; ++lane) {
-      const unsigned sample = first + lane;
-      if (sample >= samples) break;
-      const unsigned pixel = sample / spp_;
-      const std::uint32_t px = x + pixel % block_width_, py = y + pixel / block_width_;
-      if (px >= film.width || py >= film.height) continue;
-      packet.active[lane] = -1;
-      packet.pixel[lane] = pixel;
-      film_x[lane] = static_cast<float>(px) + pattern_[sample % spp_].x;
-      film_y[lane] = static_cast<float>(py) + pattern_[sample % spp_].y;
-    }
+    packet.active = samples.active & (film_x < static_cast<float>(film.width)) &
+                    (film_y < static_cast<float>(film.height));
+    packet.pixel = samples.pixel;
     packet.origin = eye_;
     packet.direction = normalize(corner_ + across_ * film_x + down_ * film_y);
     trace(packet, workspace);
@@ -126,13 +134,7 @@ void Tracer::trace(Packet& packet, Workspace& workspace) const {
 }
 
 void Tracer::shade(const Packet& packet, const Hits& hits, Workspace& workspace) const {
-  // Find where each lane's light is gathered.
-  std::array<std::uint32_t, 8> surface{};
-  for (unsigned i = 0; i < lane_count; ++i)
-    if (packet.active[i])
-      surface[i] = workspace.gathers[packet.pixel[i]].surface(
-          packet.path[i], static_cast<std::uint32_t>(hits.material[i]));
-
+  const Places places = find_places(packet, hits, workspace);
   for (std::size_t l = 0; l < lights_.size(); ++l) {
     // Look towards the light.
     const Light& light = lights_[l];
@@ -150,26 +152,76 @@ void Tracer::shade(const Packet& packet, const Hits& hits, Workspace& workspace)
     const Int8 facing = packet.active & (n_dot_l > 0.0f);
     if (!any(facing)) continue;
     workspace.rays += static_cast<unsigned>(count(facing));
-    Int8 lit = geometry_.visible(packet.point, to_light, length, facing);
+    const Int8 lit = geometry_.visible(packet.point, to_light, length, facing);
     if (!any(lit)) continue;
 
-    // Evaluate each material of the packet once, for all of its lanes.
+    // Evaluate the models and gather their lobes.
     const Float8 n_dot_h = dot(hits.normal, normalize(to_light - packet.direction));
-    const models::AngleLanes angles{cosine(n_dot_l), cosine(n_dot_h)};
-    for (unsigned first = 0; first < lane_count; ++first) {
-      if (!lit[first]) continue;
-      const RenderMaterial& material =
-          scene_.materials[static_cast<std::size_t>(hits.material[first])];
-      const models::LobeLanes lobes = models::evaluate(material.model, material.parameters, angles);
-      for (unsigned i = first; i < lane_count; ++i) {
-        if (!lit[i] || hits.material[i] != hits.material[first]) continue;
-        LobeWeights& sum = workspace.gathers[packet.pixel[i]].weights(surface[i], l);
-        sum.diffuse += weight[i] * lobes.diffuse[i];
-        sum.specular += weight[i] * lobes.specular[i];
-        sum.white += weight[i] * lobes.white[i];
-        lit[i] = 0;
-      }
-    }
+    models::LobeLanes lobes = evaluate(hits, lit, {cosine(n_dot_l), cosine(n_dot_h)});
+    const Float8 lit_weight = select(lit, weight, Float8{});
+    lobes.diffuse *= lit_weight;
+    lobes.specular *= lit_weight;
+    lobes.white *= lit_weight;
+    gather(packet, places, l, lobes, lit, workspace);
+  }
+}
+
+/// Finds where each lane's light is gathered.
+Tracer::Places Tracer::find_places(const Packet& packet, const Hits& hits,
+                                   Workspace& workspace) const {
+  Places places;
+  int last = -1;
+  for (unsigned i = 0; i < lane_count; ++i) {
+    if (!packet.active[i]) continue;
+    const auto material = static_cast<std::uint32_t>(hits.material[i]);
+    const bool as_last = last >= 0 && packet.pixel[i] == packet.pixel[last] &&
+                         packet.path[i] == packet.path[last] &&
+                         hits.material[i] == hits.material[last];
+    places.surface[i] = as_last
+                            ? places.surface[last]
+                            : workspace.gathers[packet.pixel[i]].surface(packet.path[i], material);
+    places.together &= last < 0 || as_last;
+    last = static_cast<int>(i);
+  }
+  places.first = static_cast<unsigned>(last);
+  return places;
+}
+
+/// Evaluates each material that the packet has lit, once for all of its lanes.
+models::LobeLanes Tracer::evaluate(const Hits& hits, Int8 lit,
+                                   const models::AngleLanes& angles) const {
+  models::LobeLanes lobes{};
+  for (unsigned first = 0; first < lane_count; ++first) {
+    if (!lit[first]) continue;
+    const Int8 same = hits.material == hits.material[first];
+    const RenderMaterial& material =
+        scene_.materials[static_cast<std::size_t>(hits.material[first])];
+    const models::LobeLanes own = models::evaluate(material.model, material.parameters, angles);
+    lobes.diffuse = select(same, own.diffuse, lobes.diffuse);
+    lobes.specular = select(same, own.specular, lobes.specular);
+    lobes.white = select(same, own.white, lobes.white);
+    lit &= ~same;
+  }
+  return lobes;
+}
+
+/// Adds weighted lobes where they are gathered; lanes that are not lit hold zeros.
+void Tracer::gather(const Packet& packet, const Places& places, std::size_t light,
+                    const models::LobeLanes& lobes, Int8 lit, Workspace& workspace) const {
+  if (places.together) {
+    LobeWeights& to =
+        workspace.gathers[packet.pixel[places.first]].weights(places.surface[places.first], light);
+    to.diffuse += sum(lobes.diffuse);
+    to.specular += sum(lobes.specular);
+    to.white += sum(lobes.white);
+    return;
+  }
+  for (unsigned i = 0; i < lane_count; ++i) {
+    if (!lit[i]) continue;
+    LobeWeights& to = workspace.gathers[packet.pixel[i]].weights(places.surface[i], light);
+    to.diffuse += lobes.diffuse[i];
+    to.specular += lobes.specular[i];
+    to.white += lobes.white[i];
   }
 }
 

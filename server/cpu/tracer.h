@@ -37,15 +37,27 @@ class Tracer {
 
  private:
   struct Packet;
+  struct Places;
+  /// Eight samples of a block, from its corner, in pixels.
+  struct Samples {
+    Float8 x{}, y{};
+    Int8 active{};
+    std::array<std::uint32_t, 8> pixel{};  ///< Of the block, row by row.
+  };
   struct Light {
     bool directional;
     Vec8 place;
     float reference_squared;  ///< 0: no falloff.
   };
 
+  void prepare_samples();
   void render_block(std::uint32_t x, std::uint32_t y, const Film& film, Workspace& workspace) const;
   void trace(Packet& packet, Workspace& workspace) const;
   void shade(const Packet& packet, const Hits& hits, Workspace& workspace) const;
+  Places find_places(const Packet& packet, const Hits& hits, Workspace& workspace) const;
+  models::LobeLanes evaluate(const Hits& hits, Int8 lit, const models::AngleLanes& angles) const;
+  void gather(const Packet& packet, const Places& places, std::size_t light,
+              const models::LobeLanes& lobes, Int8 lit, Workspace& workspace) const;
   void reflect(Packet& packet, const Hits& hits, Workspace& workspace) const;
 
   const RenderScene& scene_;
@@ -53,7 +65,7 @@ class Tracer {
   const Method& method_;
   unsigned depth_, spp_;
   std::uint32_t block_width_, block_height_;  ///< Pixels of a packet below eight samples; else 1×1.
-  std::vector<SamplePoint> pattern_;
+  std::vector<Samples> samples_;              ///< Of one block.
   std::vector<Light> lights_;
   Vec8 eye_, corner_, across_,
       down_;  ///< Direction = corner + x across + y down, x and y in pixels.

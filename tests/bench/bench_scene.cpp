@@ -12,11 +12,10 @@ constexpr unsigned stripes = 8;
 /// Height and unit normal of the ground at x, z in metres.
 double height(double x, double z) { return 0.06 * std::sin(9 * x) * std::cos(8 * z); }
 std::array<float, 3> normal(double x, double z) {
-  const Eigen::Vector3f n =
-      Eigen::Vector3d(-0.54 * std::cos(9 * x) * std::cos(8 * z), 1,
-                      0.48 * std::sin(9 * x) * std::sin(8 * z))
-          .normalized()
-          .cast<float>();
+  const Eigen::Vector3f n = Eigen::Vector3d(-0.54 * std::cos(9 * x) * std::cos(8 * z), 1,
+                                            0.48 * std::sin(9 * x) * std::sin(8 * z))
+                                .normalized()
+                                .cast<float>();
   return {n.x(), n.y(), n.z()};
 }
 
@@ -26,8 +25,8 @@ TriangleMesh stripe(double x0, double width, unsigned columns, unsigned rows) {
   for (unsigned row = 0; row <= rows; ++row)
     for (unsigned column = 0; column <= columns; ++column) {
       const double x = x0 + width * column / columns, z = -2 + 4.0 * row / rows;
-      mesh.positions.push_back({static_cast<float>(x), static_cast<float>(height(x, z)),
-                                static_cast<float>(z)});
+      mesh.positions.push_back(
+          {static_cast<float>(x), static_cast<float>(height(x, z)), static_cast<float>(z)});
       mesh.normals.push_back(normal(x, z));
     }
   for (unsigned row = 0; row < rows; ++row)

@@ -28,8 +28,7 @@ void set(RTCRay8& ray, int lane, const Eigen::Vector3f& origin, const Eigen::Vec
 
 }  // namespace
 
-RawRays::RawRays(const RenderScene& scene, const cpu::EmbreeScene& geometry,
-                 const v1::Plan& plan) {
+RawRays::RawRays(const RenderScene& scene, const cpu::EmbreeScene& geometry, const v1::Plan& plan) {
   const auto pattern = cpu::sample_pattern(plan.spp());
   const RenderCamera& camera = scene.camera;
   const double pixel = 2 * camera.tan_half_fov / plan.height();
@@ -46,8 +45,8 @@ RawRays::RawRays(const RenderScene& scene, const cpu::EmbreeScene& geometry,
           Vec8 origin{}, direction{};
           for (unsigned lane = 0; lane < 8; ++lane) {
             const auto& sample = pattern[first + lane];
-            const double x = tile_x + i % plan.tile_size() + sample.x;
-            const double y = tile_y + i / plan.tile_size() + sample.y;
+            const double x = tile_x + i % plan.tile_size() + double{sample.x};
+            const double y = tile_y + i / plan.tile_size() + double{sample.y};
             const Eigen::Vector3f way =
                 (camera.forward + camera.right * (pixel * (x - plan.width() / 2.0)) -
                  camera.up * (pixel * (y - plan.height() / 2.0)))
@@ -71,8 +70,8 @@ RawRays::RawRays(const RenderScene& scene, const cpu::EmbreeScene& geometry,
             bool any_facing = false;
             for (int lane = 0; lane < 8; ++lane) {
               if (!hits.hit[lane]) continue;
-              const Eigen::Vector3f point = lane_vector(origin, lane) +
-                                            lane_vector(direction, lane) * hits.distance[lane];
+              const Eigen::Vector3f point =
+                  lane_vector(origin, lane) + lane_vector(direction, lane) * hits.distance[lane];
               const float size = std::max(point.cwiseAbs().maxCoeff(), hits.distance[lane]);
               const Eigen::Vector3f lifted =
                   point + lane_vector(hits.geometric_normal, lane) * (size * 1e-5f);

