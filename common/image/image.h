@@ -48,7 +48,7 @@ Result<GamutReport> write_image(const Image& xyz_image, const std::filesystem::p
                                 const std::map<std::string, std::string>& metadata);
 
 /// Reads a PNG (values as stored, 0..1, not decoded to linear) or an EXR, of at most
-/// max_image_values. Errors name the file.
+/// max_image_values. Errors name the file; libpng prints a line of its own about a broken PNG.
 Result<Image> read_image(const std::filesystem::path& file);
 
 inline constexpr std::size_t max_image_values = 256u << 20;  ///< 1 GiB: 64 Mpixel of RGBA.

@@ -1,0 +1,75 @@
+#include "common/spectral/cie.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace metamer {
+namespace {
+
+double value_at(const Spectrum& spectrum, double nm) {
+  return resample(spectrum, {nm}, Outside::zero).values.front();
+}
+
+TEST(CieTables, are_all_there) {
+  EXPECT_EQ(cie::illuminant_names(),
+            (std::vector<std::string>{"A",  "B",  "C",  "D50", "D55", "D65", "D93",
+                                      "E",  "F1", "F2", "F3",  "F4",  "F5",  "F6",
+                                      "F7", "F8", "F9", "F10", "F11", "F12"}));
+  ASSERT_EQ(cie::test_color_names().size(), 15U);
+  EXPECT_EQ(cie::test_color_names().front(), "TCS01");
+  EXPECT_EQ(cie::test_color_names().back(), "TCS15");
+  EXPECT_EQ(cie::illuminant("d65"), nullptr);
+  EXPECT_EQ(cie::illuminant(""), nullptr);
+  EXPECT_EQ(cie::test_color("TCS16"), nullptr);
+}
+
+TEST(CieTables, are_sound_spectra) {
+  for (const std::string& name : cie::illuminant_names()) {
+    const Spectrum& light = *cie::illuminant(name);
+    ASSERT_TRUE(make_spectrum(light.nm, light.values)) << name;
+    for (const double value : light.values) EXPECT_GE(value, 0) << name;
+  }
+  for (const std::string& name : cie::test_color_names()) {
+    const Spectrum& paint = *cie::test_color(name);
+    ASSERT_TRUE(make_spectrum(paint.nm, paint.values)) << name;
+    ASSERT_EQ(paint.nm.front(), 360) << name;
+    ASSERT_EQ(paint.nm.back(), 830) << name;
+    for (const double value : paint.values) EXPECT_TRUE(value >= 0 && value <= 1) << name;
+  }
+}
+
+TEST(CieTables, of_the_observers_hold_the_published_values) {
+  // CIE 15, tables T.4 and T.5.
+  const auto& two = cie::matching_functions(cie::Observer::cie_1931_2deg);
+  EXPECT_EQ(value_at(two[0], 600), 1.0622);
+  EXPECT_EQ(value_at(two[1], 555), 1.0);
+  EXPECT_EQ(value_at(two[2], 445), 1.7826);
+  EXPECT_EQ(two[0].nm.front(), 360);
+  EXPECT_EQ(two[0].nm.back(), 830);
+  const auto& ten = cie::matching_functions(cie::Observer::cie_1964_10deg);
+  EXPECT_EQ(value_at(ten[0], 595), 1.1343);
+  EXPECT_EQ(value_at(ten[1], 555), 0.99911);
+  EXPECT_EQ(value_at(ten[2], 445), 2.0273);
+}
+
+TEST(CieTables, of_illuminant_a_follow_its_definition) {
+  // CIE 15, equation 3.1: a Planckian radiator at 2848 K with c2 = 1.435e7 nm·K.
+  const auto planck = [](double nm) {
+    return std::pow(560 / nm, 5) * std::expm1(1.435e7 / (2848 * 560)) /
+           std::expm1(1.435e7 / (2848 * nm));
+  };
+  const Spectrum& a = *cie::illuminant("A");
+  ASSERT_EQ(a.nm.size(), 531U) << "1 nm";
+  const double scale = value_at(a, 560);
+  for (std::size_t i = 0; i < a.nm.size(); ++i) {
+    EXPECT_NEAR(a.values[i] / scale, planck(a.nm[i]), 1e-5 * planck(a.nm[i])) << a.nm[i];
+  }
+}
+
+TEST(CieTables, of_the_equal_energy_light_are_equal) {
+  for (const double value : cie::illuminant("E")->values) EXPECT_EQ(value, 1.0);
+}
+
+}  // namespace
+}  // namespace metamer

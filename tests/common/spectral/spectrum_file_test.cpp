@@ -1,0 +1,156 @@
+#include "common/spectral/spectrum_file.h"
+
+#include <gtest/gtest.h>
+
+#include <clocale>
+
+namespace metamer {
+namespace {
+
+std::string error_of(std::string_view text) {
+  const auto result = parse_spectra(text, "paint.txt");
+  return result ? "no error" : format(result.error());
+}
+
+Spectrum only(std::string_view text) {
+  auto result = parse_spectra(text, "paint.txt");
+  if (!result) {
+    ADD_FAILURE() << format(result.error());
+    return {};
+  }
+  EXPECT_EQ(result->size(), 1U);
+  EXPECT_EQ(result->front().name, "");
+  return result->front().spectrum;
+}
+
+const Spectrum figure_4_4 = {.nm = {400, 500, 600, 700}, .values = {0.2, 0.3, 0.6, 0.8}};
+
+TEST(SpectrumFile, reads_both_examples_of_figure_4_4) {
+  EXPECT_EQ(only("400 700 100\n0.2\n0.3\n0.6\n0.8\n"), figure_4_4);
+  EXPECT_EQ(only("400 0.2\n500 0.3\n600 0.6\n700 0.8\n"), figure_4_4);
+}
+
+TEST(SpectrumFile, takes_comments_blank_lines_and_windows_lines) {
+  EXPECT_EQ(only("# a paint\r\n\r\n400 700 100 # nm\r\n\t0.2 0.3\r\n0.6 0.8"), figure_4_4);
+  EXPECT_EQ(only("\xEF\xBB\xBF# a paint\n400\t0.2\n  500   +3e-1\n\n600 .6\n700 8E-1"), figure_4_4);
+}
+
+TEST(SpectrumFile, reads_a_single_sample) {
+  const Spectrum line = {.nm = {589}, .values = {1}};
+  EXPECT_EQ(only("589 1"), line);
+  EXPECT_EQ(only("589 589 1\n1"), line);
+}
+
+TEST(SpectrumFile, has_a_decimal_point_whatever_the_locale) {
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "C.UTF-8"}) {
+    if (std::setlocale(LC_ALL, name) == nullptr) continue;
+    EXPECT_EQ(only("400 0.25").values[0], 0.25) << name;
+  }
+  std::setlocale(LC_ALL, before.c_str());
+}
+
+TEST(SpectrumFile, names_what_is_no_spectrum) {
+  EXPECT_EQ(error_of(""), "paint.txt:1:1: error: the file has no data");
+  EXPECT_EQ(error_of("\n# nothing\n"), "paint.txt:3:1: error: the file has no data");
+  EXPECT_EQ(error_of("\n  hello world\n"),
+            "paint.txt:2:3: error: no spectrum: expected \"from to step\", \"wavelength value\" or "
+            "a CGATS file with BEGIN_DATA");
+  EXPECT_EQ(
+      error_of("1\n2\n"),
+      "paint.txt:1:1: error: the first line must be \"from to step\" or \"wavelength value\"");
+  EXPECT_EQ(
+      error_of("1 2 3 4\n"),
+      "paint.txt:1:1: error: the first line must be \"from to step\" or \"wavelength value\"");
+}
+
+TEST(SpectrumFile, locates_what_is_wrong_in_a_uniform_file) {
+  EXPECT_EQ(error_of("400 7oo 100\n0.2"), "paint.txt:1:5: error: \"7oo\" is not a number");
+  EXPECT_EQ(error_of("400 700 0\n0.2"), "paint.txt:1:1: error: the step must be above 0 nm, not 0");
+  EXPECT_EQ(error_of("700 400 5\n0.2"),
+            "paint.txt:1:1: error: the last wavelength, 400, is below the first, 700");
+  EXPECT_EQ(error_of("400 700 1e-9\n0.2"),
+            "paint.txt:1:1: error: at most 4001 wavelengths are possible; 400 to 700 by 1e-09 are "
+            "more");
+  EXPECT_EQ(error_of("400 700 100\n0.2\n0.3 x\n"), "paint.txt:3:5: error: \"x\" is not a number");
+  EXPECT_EQ(error_of("400 700 100\n0.2\n0.3\n0.6\n"),
+            "paint.txt:5:1: error: \"400 700 100\" asks for 4 values, but the file ends after 3");
+  EXPECT_EQ(error_of("400 700 100\n0.2\n0.3\n0.6\n0.8\n0.9"),
+            "paint.txt:6:1: error: \"400 700 100\" asks for 4 values, and here is one more");
+}
+
+TEST(SpectrumFile, locates_what_is_wrong_in_pairs) {
+  EXPECT_EQ(error_of("400 0.2\n500\n600 0.3"),
+            "paint.txt:2:1: error: expected \"wavelength value\" on each line, but there is no "
+            "value");
+  EXPECT_EQ(
+      error_of("400 0.2\n500 0.3 0.4\n"),
+      "paint.txt:2:9: error: expected \"wavelength value\" on each line, but there is a third "
+      "word");
+  EXPECT_EQ(error_of("400 0.2\n400 0.3\n"), "paint.txt:2:1: error: wavelength 400 is repeated");
+  EXPECT_EQ(error_of("400 0.2\n  390 0.3\n"),
+            "paint.txt:2:3: error: wavelengths must rise: 390 follows 400");
+  EXPECT_EQ(error_of("-400 0.2\n"), "paint.txt:1:1: error: wavelength -400 must be above 0 nm");
+  EXPECT_EQ(error_of("400 0.2\n500 0,3\n"), "paint.txt:2:5: error: \"0,3\" is not a number");
+}
+
+TEST(SpectrumFile, takes_finite_numbers_only) {
+  for (const std::string word : {"nan", "-inf", "infinity", "1e999", "-1e999"}) {
+    EXPECT_EQ(error_of("400 " + word),
+              "paint.txt:1:5: error: \"" + word + "\" is not a finite number");
+    EXPECT_EQ(error_of("400 500 100\n" + word),
+              "paint.txt:2:1: error: \"" + word + "\" is not a finite number");
+  }
+  for (const std::string word : {"0x10", "1e", "+-1", "--1", "1.2.3", "+", "1_000", "½"}) {
+    EXPECT_EQ(error_of("400 " + word), "paint.txt:1:5: error: \"" + word + "\" is not a number");
+  }
+}
+
+TEST(SpectrumFile, is_bounded) {
+  std::string pairs;
+  for (int i = 1; i <= 4001; ++i) pairs += std::to_string(i) + " 1\n";
+  EXPECT_EQ(error_of(pairs), "no error");
+  EXPECT_EQ(error_of(pairs + "4002 1\n"),
+            "paint.txt:4002:1: error: at most 4001 samples are possible");
+  EXPECT_EQ(error_of(std::string(max_spectrum_file + 1, ' ')),
+            "paint.txt: error: a spectrum file may have 16777216 bytes, not 16777217");
+}
+
+TEST(SpectrumFile, cites_hostile_words_short_and_printable) {
+  EXPECT_EQ(error_of("400 " + std::string(1000, 'x')),
+            "paint.txt:1:5: error: \"" + std::string(60, 'x') + "…\" is not a number");
+  EXPECT_EQ(error_of("400 \x1B[2J"), "paint.txt:1:5: error: \"?[2J\" is not a number");
+  EXPECT_EQ(error_of(std::string_view("400 1\0", 6)),
+            "paint.txt:1:5: error: \"1?\" is not a number");
+}
+
+NamedSpectrum named(const std::string& name) { return {.name = name, .spectrum = figure_4_4}; }
+
+std::string select_error(std::vector<NamedSpectrum> spectra, const std::string& entry) {
+  const auto result = select_entry(std::move(spectra), entry);
+  return result ? "no error" : format(result.error());
+}
+
+TEST(SelectEntry, takes_the_only_one_or_the_named_one) {
+  EXPECT_EQ(select_entry({named("")}, ""), figure_4_4);
+  EXPECT_EQ(select_entry({named("TCS01")}, ""), figure_4_4);
+  NamedSpectrum other = named("TCS02");
+  other.spectrum.values[0] = 1;
+  EXPECT_EQ(select_entry({named("TCS01"), other}, "TCS02"), other.spectrum);
+}
+
+TEST(SelectEntry, says_what_there_is_instead) {
+  EXPECT_EQ(select_error({named("TCS01"), named("TCS02")}, ""),
+            "error: the file has 2 spectra; name one with entry, say \"TCS01\"");
+  EXPECT_EQ(select_error({named(""), named("")}, ""),
+            "error: the file has 2 spectra; name one with entry");
+  EXPECT_EQ(select_error({named("TCS01"), named("TCS02")}, "TSC02"),
+            "error: the file has no entry \"TSC02\"; did you mean \"TCS02\"?");
+  EXPECT_EQ(select_error({named("")}, "TCS02"),
+            "error: the file has no entry \"TCS02\"; its spectra have no names");
+  EXPECT_EQ(select_error({named("red"), named("red")}, "red"),
+            "error: the file has several entries \"red\"");
+}
+
+}  // namespace
+}  // namespace metamer
