@@ -15,13 +15,13 @@ inline constexpr std::uint32_t max_tile = 256;      ///< 768 KiB of XYZ: one fra
 inline constexpr std::size_t max_lights = 256;      ///< Each costs a shadow ray per sample.
 inline constexpr std::size_t max_materials = 4096;  ///< × 2 spectra × 4,001 × 4 B = 131 MB.
 inline constexpr std::size_t max_objects = 100'000;
-inline constexpr std::size_t max_name = 200;                ///< Characters; they are for people.
-inline constexpr std::size_t max_text = 4096;               ///< Bytes; Linux's longest path.
-inline constexpr std::size_t max_transforms = 64;           ///< Steps of one object's placement.
-inline constexpr double min_wavelength = 1;                 ///< nm; spectra and positions lie in
-inline constexpr double max_wavelength = 100'000;           ///< 1 nm to 100 µm: all of optics.
-inline constexpr double max_coordinate = 1e15;              ///< Embree aborts beyond 1.8e18.
-inline constexpr std::uint64_t max_asset = 1u << 30;        ///< Ten million triangles as PLY.
+inline constexpr std::size_t max_name = 200;          ///< Characters; they are for people.
+inline constexpr std::size_t max_text = 4096;         ///< Bytes; Linux's longest path.
+inline constexpr std::size_t max_transforms = 64;     ///< Steps of one object's placement.
+inline constexpr double min_wavelength = 1;           ///< nm; spectra and positions lie in
+inline constexpr double max_wavelength = 10'000;      ///< 1 nm to 10 µm; eyes see 360 to 830.
+inline constexpr double max_coordinate = 1e15;        ///< Embree aborts beyond 1.8e18.
+inline constexpr std::uint64_t max_asset = 1u << 30;  ///< Ten million triangles as PLY.
 inline constexpr std::uint64_t max_triangles = 50'000'000;  ///< 8 GB of BVH.
 
 }  // namespace metamer::limits

@@ -1,0 +1,111 @@
+#include "common/scene/settings.h"
+
+#include <gtest/gtest.h>
+
+#include "scene_text.h"
+
+namespace metamer::test {
+namespace {
+
+Strings settings(const std::string& text) {
+  return findings({.settings = "settings { " + text + " }"});
+}
+
+Strings point(const std::string& text) { return settings("method { point { " + text + " } }"); }
+
+TEST(Settings, DefaultsAreThoseOfTheSchema) {
+  const v1::Settings full = with_defaults({});
+  EXPECT_EQ(full.width(), 640u);
+  EXPECT_EQ(full.height(), 480u);
+  EXPECT_EQ(full.observer(), v1::CIE_1931_2DEG);
+  EXPECT_EQ(full.spp(), 16u);
+  EXPECT_EQ(full.depth(), 4u);
+  EXPECT_EQ(full.threads(), 0u);
+  EXPECT_EQ(full.tile_size(), 16u);
+  ASSERT_TRUE(full.method().has_point());
+  const auto wavelengths = point_wavelengths(full.method().point());
+  ASSERT_TRUE(wavelengths);
+  EXPECT_EQ(wavelengths->size(), 61u);
+  EXPECT_EQ(wavelengths->nm().front(), 400);
+  EXPECT_EQ(wavelengths->nm().back(), 700);
+}
+
+TEST(Settings, DefaultsReplaceNothingThatIsGiven) {
+  v1::Settings given;
+  given.set_depth(0);
+  given.set_width(1);
+  given.mutable_method()->mutable_rgb();
+  const v1::Settings full = with_defaults(given);
+  EXPECT_EQ(full.depth(), 0u);
+  EXPECT_EQ(full.width(), 1u);
+  EXPECT_TRUE(full.method().has_rgb());
+
+  v1::Settings listed;
+  listed.mutable_method()->mutable_point()->add_wavelengths(546);
+  EXPECT_FALSE(with_defaults(listed).method().point().has_from());
+}
+
+TEST(Settings, BothObserversHaveTheirTable) {
+  EXPECT_EQ(to_observer(v1::CIE_1931_2DEG), cie::Observer::cie_1931_2deg);
+  EXPECT_EQ(to_observer(v1::CIE_1964_10DEG), cie::Observer::cie_1964_10deg);
+}
+
+TEST(Settings, SizesOverTheLimits) {
+  EXPECT_EQ(settings("width: 0 height: 16385"),
+            Strings({"settings.width: width must lie in 1..16384 (it is 0)",
+                     "settings.height: height must lie in 1..16384 (it is 16385)"}));
+  EXPECT_EQ(settings("width: 16384 height: 4097"),
+            Strings({"settings: a picture may have at most 67108864 pixels (16384 × 4097 are "
+                     "67125248)"}));
+  EXPECT_EQ(settings("width: 16384 height: 4096"), Strings());
+  EXPECT_EQ(settings("spp: 1025 depth: 33 threads: 257"),
+            Strings({"settings.spp: spp must lie in 1..1024 (it is 1025)",
+                     "settings.depth: depth must lie in 0..32 (it is 33)",
+                     "settings.threads: threads must lie in 0..256 (it is 257)"}));
+  for (const char* size : {"0", "12", "264"}) {
+    EXPECT_EQ(settings(std::string("tile_size: ") + size),
+              Strings({std::string("settings.tile_size: tile_size must be a multiple of 8 in "
+                                   "8..256 (it is ") +
+                       size + ")"}));
+  }
+}
+
+TEST(Settings, PointTakesATripletOrAListNotBoth) {
+  EXPECT_EQ(point("from: 400 to: 700 step: 5 wavelengths: 546"),
+            Strings({"settings.method.point: point takes either from, to and step or wavelengths, "
+                     "not both"}));
+  EXPECT_EQ(point("step: 10"),
+            Strings({"settings.method.point: point needs from, to and step together"}));
+}
+
+TEST(Settings, TripletsMustMakeSense) {
+  EXPECT_EQ(point("from: 0 to: 700 step: 0"),
+            Strings({"settings.method.point.from: from must lie in 1..10000 (it is 0)",
+                     "settings.method.point.step: step must be above 0 (it is 0)"}));
+  EXPECT_EQ(point("from: 700 to: 400 step: 5"),
+            Strings({"settings.method.point.to: to must not be below from (400 is below 700)"}));
+  const Strings many = point("from: 400 to: 700 step: 0.01");
+  ASSERT_EQ(many.size(), 1u);
+  EXPECT_NE(many[0].find("4001"), std::string::npos) << many[0];
+  EXPECT_EQ(point("from: 400 to: 700 step: 1e-300").size(), 1u);
+}
+
+TEST(Settings, ListedWavelengthsMustRise) {
+  EXPECT_EQ(point("wavelengths: [400, 546, 436, 700]"),
+            Strings({"settings.method.point.wavelengths[2]: wavelengths must rise (436 comes "
+                     "after 546)"}));
+  EXPECT_EQ(point("wavelengths: [400, 546, 546]"),
+            Strings({"settings.method.point.wavelengths[2]: wavelengths must not repeat (546 is "
+                     "there twice)"}));
+  EXPECT_EQ(point("wavelengths: [-5, 546]"),
+            Strings({"settings.method.point.wavelengths[0]: wavelengths must lie in 1..10000 nm "
+                     "(it is -5)"}));
+  std::string many = "wavelengths: [400";
+  for (int i = 1; i <= 4001; ++i) many += ", " + std::to_string(400 + i);
+  EXPECT_EQ(point(many + "]"),
+            Strings({"settings.method.point.wavelengths[4001]: at most 4001 wavelengths can be "
+                     "used (there are 4002)"}));
+}
+
+}  // namespace
+}  // namespace metamer::test

@@ -1,0 +1,183 @@
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "common/scene/limits.h"
+#include "common/scene/validate.h"
+#include "common/spectral/cie.h"
+#include "scene_text.h"
+
+namespace metamer::test {
+namespace {
+
+/// Files from memory; counts how often each is read.
+struct Files {
+  std::map<std::string, std::string> files;
+  std::map<std::string, int> reads;
+
+  AssetReader reader() {
+    return [this](const std::string& name) -> Result<std::string> {
+      ++reads[name];
+      const auto found = files.find(name);
+      if (found == files.end()) return problem("file \"" + name + "\" is not there");
+      return found->second;
+    };
+  }
+};
+
+const char* const two_reds =
+    "SPECT\nSPECTRAL_START_NM 400\nSPECTRAL_END_NM 700\nSPECTRAL_BANDS 4\n"
+    "NUMBER_OF_FIELDS 5\nNUMBER_OF_SETS 2\n"
+    "BEGIN_DATA_FORMAT\nSAMPLE_ID SPEC_400 SPEC_500 SPEC_600 SPEC_700\nEND_DATA_FORMAT\n"
+    "BEGIN_DATA\nred 0.1 0.1 0.7 0.8\nwine 0.1 0 0.3 0.4\nEND_DATA\n";
+
+v1::Spectrum from_file(const std::string& name, const std::string& entry = {}) {
+  v1::Spectrum message;
+  message.set_file(name);
+  message.set_entry(entry);
+  return message;
+}
+
+std::string error_of(const v1::Spectrum& message, SpectrumRole role, Files files = {}) {
+  const auto spectrum = load_spectrum(message, "m", role, files.reader());
+  return spectrum ? std::string() : spectrum.error().field + ": " + spectrum.error().message;
+}
+
+Strings light_spectrum(const std::string& text) {
+  return findings({.light = "light { position { } spectrum { " + text + " } }"});
+}
+
+Strings diffuse(const std::string& text) {
+  return findings({.material = "material { name: \"grey\" diffuse { " + text + " } }"});
+}
+
+TEST(SceneSpectrum, ConstantsHoldOverAllThatCanBeSampled) {
+  v1::Spectrum message;
+  message.set_constant(0.25);
+  const auto spectrum = load_spectrum(message, "m", SpectrumRole::emission, Files().reader());
+  ASSERT_TRUE(spectrum);
+  const Resampled resampled =
+      resample(*spectrum, {limits::min_wavelength, 555, limits::max_wavelength}, Outside::zero);
+  EXPECT_EQ(resampled.values, std::vector<double>({0.25, 0.25, 0.25}));
+  EXPECT_EQ(resampled.below + resampled.above, 0u);
+}
+
+TEST(SceneSpectrum, StandardsAreTheTables) {
+  v1::Spectrum message;
+  message.set_standard("F11");
+  const auto spectrum = load_spectrum(message, "m", SpectrumRole::emission, Files().reader());
+  ASSERT_TRUE(spectrum);
+  EXPECT_EQ(*spectrum, *cie::illuminant("F11"));
+}
+
+TEST(SceneSpectrum, SamplesAreTakenAsWritten) {
+  v1::Spectrum message;
+  for (const double nm : {400.0, 500.0}) message.mutable_samples()->add_wavelength(nm);
+  for (const double value : {0.5, 1.0}) message.mutable_samples()->add_value(value);
+  const auto spectrum = load_spectrum(message, "m", SpectrumRole::property, Files().reader());
+  ASSERT_TRUE(spectrum);
+  EXPECT_EQ(spectrum->nm, std::vector<double>({400, 500}));
+  EXPECT_EQ(spectrum->values, std::vector<double>({0.5, 1}));
+}
+
+TEST(SceneSpectrum, FilesGiveTheEntryThatIsNamed) {
+  Files files{.files = {{"reds.sp", two_reds}}, .reads = {}};
+  const auto spectrum =
+      load_spectrum(from_file("reds.sp", "wine"), "m", SpectrumRole::property, files.reader());
+  ASSERT_TRUE(spectrum);
+  EXPECT_EQ(spectrum->values, std::vector<double>({0.1, 0, 0.3, 0.4}));
+}
+
+TEST(SceneSpectrum, ErrorsInFilesKeepTheirPlace) {
+  Files files{.files = {{"bad.txt", "400 0.5\n500 x\n"}}, .reads = {}};
+  const auto spectrum =
+      load_spectrum(from_file("bad.txt"), "m", SpectrumRole::property, files.reader());
+  ASSERT_FALSE(spectrum);
+  EXPECT_EQ(spectrum.error().field, "m.file");
+  EXPECT_EQ(spectrum.error().file, "bad.txt");
+  EXPECT_EQ(spectrum.error().line, 2);
+  EXPECT_EQ(spectrum.error().column, 5);
+}
+
+TEST(SceneSpectrum, ErrorsAboutFilesStandAtTheirField) {
+  const Files reds{.files = {{"reds.sp", two_reds}, {"dark.txt", "400 0\n500 0\n"}}, .reads = {}};
+  EXPECT_EQ(error_of(from_file("reds.sp", "wien"), SpectrumRole::property, reds).substr(0, 9),
+            "m.entry: ");
+  EXPECT_EQ(error_of(from_file("reds.sp"), SpectrumRole::property, reds).substr(0, 8), "m.file: ");
+  EXPECT_EQ(error_of(from_file("x.sp"), SpectrumRole::property, reds),
+            "m.file: file \"x.sp\" is not there");
+  EXPECT_EQ(error_of(from_file("dark.txt"), SpectrumRole::emission, reds),
+            "m.file: \"dark.txt\" is 0 at every wavelength");
+  EXPECT_EQ(error_of(from_file("dark.txt"), SpectrumRole::property, reds), "");
+}
+
+TEST(SceneSpectrum, ValuesInFilesMustSuitTheirRole) {
+  const Files files{.files = {{"loud.txt", "400 0.5\n500 1.25\n"}, {"neg.txt", "400 1\n500 -2\n"}},
+                    .reads = {}};
+  EXPECT_EQ(error_of(from_file("loud.txt"), SpectrumRole::property, files),
+            "m.file: \"loud.txt\" has 1.25 at 500 nm; a property must lie in 0..1");
+  EXPECT_EQ(error_of(from_file("loud.txt"), SpectrumRole::emission, files), "");
+  EXPECT_EQ(error_of(from_file("neg.txt"), SpectrumRole::emission, files),
+            "m.file: \"neg.txt\" has -2 at 500 nm; an emission must not be negative");
+}
+
+TEST(SceneSpectrum, SourcesThatAreWrongByThemselves) {
+  EXPECT_EQ(light_spectrum(""),
+            Strings({"light[0].spectrum: spectrum needs a standard, a file, a constant or "
+                     "samples"}));
+  EXPECT_EQ(light_spectrum("standard: \"d65\""),
+            Strings({"light[0].spectrum.standard: \"d65\" is not a standard illuminant; did you "
+                     "mean \"D65\"?"}));
+  EXPECT_EQ(light_spectrum("file: \"\""),
+            Strings({"light[0].spectrum.file: file must not be empty"}));
+  EXPECT_EQ(light_spectrum("constant: -1"),
+            Strings({"light[0].spectrum.constant: an emission must not be negative (it is -1)"}));
+  EXPECT_EQ(light_spectrum("constant: 0"),
+            Strings({"light[0].spectrum.constant: an emission must not be 0 at every "
+                     "wavelength"}));
+  EXPECT_EQ(light_spectrum("constant: 1 entry: \"x\""),
+            Strings({"light[0].spectrum.entry: entry is for spectra from a file"}));
+  EXPECT_EQ(diffuse("standard: \"A\""),
+            Strings({"material[0].diffuse.standard: a standard illuminant is an emission, not a "
+                     "property"}));
+  EXPECT_EQ(diffuse("constant: 1.5"),
+            Strings({"material[0].diffuse.constant: a property must lie in 0..1 (it is 1.5)"}));
+}
+
+TEST(SceneSpectrum, SamplesThatAreWrong) {
+  EXPECT_EQ(diffuse("samples { }"),
+            Strings({"material[0].diffuse.samples: samples need at least one wavelength"}));
+  EXPECT_EQ(diffuse("samples { wavelength: [400, 500] value: 1 }"),
+            Strings({"material[0].diffuse.samples.value: samples need as many values as "
+                     "wavelengths (1 values, 2 wavelengths)"}));
+  EXPECT_EQ(diffuse("samples { wavelength: [500, 400, 400] value: [1, 1, 1] }"),
+            Strings({"material[0].diffuse.samples.wavelength[1]: wavelengths must rise (400 comes "
+                     "after 500)",
+                     "material[0].diffuse.samples.wavelength[2]: wavelengths must not repeat (400 "
+                     "is there twice)"}));
+  EXPECT_EQ(diffuse("samples { wavelength: [400, 500] value: [0.5, 1.5] }"),
+            Strings({"material[0].diffuse.samples.value[1]: a property must lie in 0..1 (it is "
+                     "1.5 at 500 nm)"}));
+  EXPECT_EQ(light_spectrum("samples { wavelength: [400, 500] value: [0, 0] }"),
+            Strings({"light[0].spectrum.samples.value: an emission must not be 0 at every "
+                     "wavelength"}));
+}
+
+TEST(SceneSpectra, EveryFileIsReadOnceAndEveryProblemFound) {
+  v1::Scene scene;
+  *scene.add_light()->mutable_spectrum() = from_file("neg.txt");
+  *scene.add_material()->mutable_diffuse() = from_file("reds.sp", "red");
+  *scene.add_material()->mutable_diffuse() = from_file("reds.sp", "wine");
+  *scene.add_material()->mutable_specular() = from_file("gone.sp", "a");
+  *scene.add_material()->mutable_specular() = from_file("gone.sp", "b");
+  Files files{.files = {{"reds.sp", two_reds}, {"neg.txt", "400 1\n500 -2\n"}}, .reads = {}};
+  EXPECT_EQ(describe(validate_spectra(scene, files.reader())),
+            Strings({"light[0].spectrum.file: \"neg.txt\" has -2 at 500 nm; an emission must not "
+                     "be negative",
+                     "material[2].specular.file: file \"gone.sp\" is not there"}));
+  EXPECT_EQ(files.reads,
+            (std::map<std::string, int>{{"gone.sp", 1}, {"neg.txt", 1}, {"reds.sp", 1}}));
+}
+
+}  // namespace
+}  // namespace metamer::test
