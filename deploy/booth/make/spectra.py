@@ -73,26 +73,34 @@ def paints():
 
 def write_paint(name, what, values):
     lines = [f"# {name}: {what}",
-             "# Reflectance, 400 to 700 nm by 5 nm; wavelength in nm, value.",
+             "# Reflectance; wavelength in nm, value. Level outside 400 to 700 nm.",
              "# Made by deploy/booth/make/spectra.py, which says how the black is computed. The paints",
              "# match for the CIE 1931 2-degree observer under D65, sampled by 1, 5 or 10 nm."]
-    lines += [f"{nm} {value:.6f}" for nm, value in zip(NODES, values)]
+    rows = [(360, values[0])] + list(zip(NODES, values)) + [(830, values[-1])]
+    lines += [f"{nm} {value:.6f}" for nm, value in rows]
     (SPECTRA / f"{name}.txt").write_text("\n".join(lines) + "\n")
+
+
+def hold_ends(values):
+    """The table has 0 where a colour was not measured; hold its first and last value there."""
+    measured = [i for i, value in enumerate(values) if value > 0]
+    first, last = measured[0], measured[-1]
+    return [values[min(max(i, first), last)] for i in range(len(values))]
 
 
 def write_test_colours():
     nm, names, rows = read_cgats(COLORD / "ref/CIE-TCS.sp")
-    chosen = [i for i, x in enumerate(nm) if 380 <= x <= 780]
-    head = ['SPECT', '',
-            'DESCRIPTOR "CIE 13.3-1995, test colour samples 1 to 14, and the Asian skin of JIS Z 8726"',
-            'ORIGINATOR "deploy/booth/make/spectra.py, from the table in Debian\'s colord-data"',
-            f'SPECTRAL_START_NM {nm[chosen[0]]:g}', f'SPECTRAL_END_NM {nm[chosen[-1]]:g}',
-            f'SPECTRAL_BANDS {len(chosen)}', f'NUMBER_OF_FIELDS {len(chosen) + 1}',
-            f'NUMBER_OF_SETS {len(names)}', '', 'BEGIN_DATA_FORMAT',
-            'SAMPLE_ID ' + ' '.join(f'SPEC_{nm[i]:g}' for i in chosen), 'END_DATA_FORMAT', '',
-            'BEGIN_DATA']
-    body = [name + ' ' + ' '.join(f'{row[i]:g}' for i in chosen) for name, row in zip(names, rows)]
-    (SPECTRA / "tcs.sp").write_text("\n".join(head + body + ["END_DATA"]) + "\n")
+    lines = ['SPECT', '',
+             'DESCRIPTOR "CIE 13.3-1995, test colour samples 1 to 14, and the Asian skin of JIS Z 8726"',
+             'ORIGINATOR "deploy/booth/make/spectra.py, from the table in Debian\'s colord-data"',
+             f'SPECTRAL_START_NM {nm[0]:g}', f'SPECTRAL_END_NM {nm[-1]:g}',
+             f'SPECTRAL_BANDS {len(nm)}', f'NUMBER_OF_FIELDS {len(nm) + 1}',
+             f'NUMBER_OF_SETS {len(names)}', '', 'BEGIN_DATA_FORMAT',
+             'SAMPLE_ID ' + ' '.join(f'SPEC_{x:g}' for x in nm), 'END_DATA_FORMAT', '',
+             'BEGIN_DATA']
+    for name, row in zip(names, rows):
+        lines.append(name + ' ' + ' '.join(f'{value:g}' for value in hold_ends(row)))
+    (SPECTRA / "tcs.sp").write_text("\n".join(lines + ["END_DATA"]) + "\n")
 
 
 def report(first, second):
