@@ -45,9 +45,10 @@ Eigen::Vector3d to_vector(const std::array<float, 3>& v) {
   return Eigen::Map<const Eigen::Vector3f>(v.data()).cast<double>();
 }
 
-/// A normal's map to the world: the inverse transpose.
+/// A normal's map to the world: the inverse transpose, up to a factor that keeps it near 1.
 Eigen::Matrix3d normal_map(const Eigen::Affine3d& to_world) {
-  return to_world.linear().inverse().transpose();
+  const Eigen::Matrix3d map = to_world.linear().inverse().transpose();
+  return map / map.norm();
 }
 
 /// Rotation, translation and one scale factor for all directions.
@@ -73,7 +74,8 @@ RTCGeometry triangles(RTCDevice device, const TriangleMesh& mesh, const Eigen::A
   return geometry;
 }
 
-/// Each triangle's three normals, mapped; empty where the mesh is flat.
+/// Each triangle's three normals, mapped but not made unit again: so that interpolating between
+/// them is the same before and after the map. Empty where the mesh is flat.
 std::vector<std::array<std::array<float, 3>, 3>> corner_normals(const TriangleMesh& mesh,
                                                                 const Eigen::Matrix3d& map) {
   std::vector<std::array<std::array<float, 3>, 3>> corners;
@@ -82,7 +84,7 @@ std::vector<std::array<std::array<float, 3>, 3>> corner_normals(const TriangleMe
   for (const auto& triangle : mesh.triangles) {
     auto& corner = corners.emplace_back();
     for (std::size_t i = 0; i < 3; ++i)
-      corner[i] = to_array((map * to_vector(mesh.normals[triangle[i]])).stableNormalized());
+      corner[i] = to_array(map * to_vector(mesh.normals[triangle[i]]));
   }
   return corners;
 }

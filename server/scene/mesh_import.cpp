@@ -72,12 +72,27 @@ bool usable(const aiVector3D& v) {
   return std::abs(v.x) <= limit && std::abs(v.y) <= limit && std::abs(v.z) <= limit;
 }
 
-/// Appends one mesh of a file to the joined one. Error: a vertex or normal that is not usable.
+/// What is wrong with a file's raw meshes. Before any post-processing: joining vertices would take
+/// NaN for equal to whatever it is compared with.
+Result<void> check(const aiScene& scene) {
+  std::uint64_t vertices = 0, faces = 0;
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    const aiMesh& mesh = *scene.mMeshes[m];
+    for (unsigned i = 0; i < mesh.mNumVertices; ++i, ++vertices)
+      if (!usable(mesh.mVertices[i]))
+        return problem("vertex " + std::to_string(vertices) + " is not finite or too far out");
+    faces += mesh.mNumFaces;
+  }
+  if (faces > limits::max_triangles)
+    return problem("holds " + std::to_string(faces) + " faces; at most " +
+                   std::to_string(limits::max_triangles) + " are allowed");
+  return {};
+}
+
+/// Appends one mesh of a file to the joined one. Error: an index that no vertex has.
 Result<void> append(const aiMesh& from, TriangleMesh& to) {
   const auto base = static_cast<std::uint32_t>(to.positions.size());
   for (unsigned i = 0; i < from.mNumVertices; ++i) {
-    if (!usable(from.mVertices[i]))
-      return problem("vertex " + std::to_string(base + i) + " is not finite or too far out");
     const aiVector3D& position = from.mVertices[i];
     to.positions.push_back({position.x, position.y, position.z});
     aiVector3D normal = from.mNormals[i];
@@ -104,30 +119,28 @@ Result<void> append(const aiMesh& from, TriangleMesh& to) {
 }  // namespace
 
 Result<TriangleMesh> import_mesh(const std::string& name, const AssetReader& assets) {
-  // Let Assimp read the file: one node, triangles only, normals where the file has none.
-  Assimp::Importer importer;
-  importer.SetIOHandler(new AssetSystem(assets));
-  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
-                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  const aiScene* scene = importer.ReadFile(
-      name, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_JoinIdenticalVertices |
-                aiProcess_GenSmoothNormals | aiProcess_PreTransformVertices);
   const auto fail = [&](std::string message) {
     return tl::unexpected(Problem{.field = {}, .file = name, .message = std::move(message)});
   };
+
+  // Let Assimp read the file as it is.
+  Assimp::Importer importer;
+  importer.SetIOHandler(new AssetSystem(assets));
+  const aiScene* scene = importer.ReadFile(name, 0);
   if (scene == nullptr) {
     const std::string reason = importer.GetErrorString();
-    if (reason.find("empty") != std::string::npos || reason.find("no meshes") != std::string::npos)
-      return fail("holds no triangles");
+    if (reason.find("No output meshes") != std::string::npos) return fail("holds no triangles");
     return fail("can't be read as a mesh: " + reason);
   }
+  if (auto sound = check(*scene); !sound) return fail(std::move(sound.error().message));
 
-  // Count before copying.
-  std::uint64_t triangles = 0;
-  for (unsigned i = 0; i < scene->mNumMeshes; ++i) triangles += scene->mMeshes[i]->mNumFaces;
-  if (triangles > limits::max_triangles)
-    return fail("holds " + std::to_string(triangles) + " triangles; at most " +
-                std::to_string(limits::max_triangles) + " are allowed");
+  // Let it make triangles of polygons, one node of all, and normals where the file has none.
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType |
+                                       aiProcess_JoinIdenticalVertices |
+                                       aiProcess_GenSmoothNormals | aiProcess_PreTransformVertices);
+  if (scene == nullptr) return fail("holds no triangles");
 
   // Join its meshes.
   TriangleMesh mesh;

@@ -1,0 +1,94 @@
+#include "server/cpu/embree_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/server/render/test_scene.h"
+
+namespace metamer::cpu {
+namespace {
+
+const std::atomic<bool> never = false;
+
+RenderScene unit_ball() {
+  return test::compile_text(
+      "camera { eye { z: 5 } target {} } light { name: 'l' position { y: 3 } spectrum { standard: "
+      "'E' } } "
+      "material { name: 'm' diffuse { constant: 1 } } object { name: 'o' material: 'm' sphere { "
+      "radius: "
+      "1 } }");
+}
+
+TEST(EmbreeScene, RaysThatAreNotFiniteNeverReachEmbree) {
+  // Debian's Embree is built with assertions: any of these would end the process.
+  const RenderScene scene = unit_ball();
+  const auto geometry = EmbreeScene::build(scene, never);
+  const float nan = std::numeric_limits<float>::quiet_NaN(), inf = INFINITY, far = 1e30f;
+  Vec8 origin = broadcast({0, 0, 5}), direction = broadcast({0, 0, -1});
+  origin.x[0] = nan, origin.y[1] = inf, origin.z[2] = far;
+  direction.x[3] = nan, direction.y[4] = -inf, direction.z[5] = nan;
+  const Hits hits = geometry->intersect(origin, direction, Int8{} - 1);
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(hits.hit[i], 0) << i;
+  EXPECT_EQ(hits.hit[6], -1);
+
+  Float8 length = broadcast(10);
+  length[6] = nan;
+  const Int8 visible = geometry->visible(origin, direction * broadcast(-1), length, Int8{} - 1);
+  for (int i = 0; i < 7; ++i) EXPECT_EQ(visible[i], 0) << i;
+  EXPECT_EQ(visible[7], -1);
+}
+
+TEST(EmbreeScene, ASphereIsHitWhereTheQuadraticSays) {
+  const auto geometry = EmbreeScene::build(unit_ball(), never);
+  Vec8 origin = broadcast({0, 0, 5}), direction = broadcast({0, 0, -1});
+  for (int i = 0; i < lane_count; ++i) origin.x[i] = 0.14f * static_cast<float>(i);
+  const Hits hits = geometry->intersect(origin, direction, Int8{} - 1);
+  for (int i = 0; i < lane_count; ++i) {
+    const double x = origin.x[i], z = std::sqrt(1 - x * x);
+    EXPECT_EQ(hits.hit[i], -1);
+    EXPECT_NEAR(hits.distance[i], 5 - z, 2e-6);
+    EXPECT_NEAR(hits.normal.x[i], x, 2e-6);
+    EXPECT_NEAR(hits.normal.z[i], z, 2e-6);
+  }
+}
+
+TEST(EmbreeScene, AnInstanceIsWhereItsTransformPutsIt) {
+  // The same mesh twice becomes two instances; alone, each is placed. Both must agree.
+  RenderScene pair = unit_ball();
+  TriangleMesh mesh;
+  mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
+  mesh.normals = {{-0.6f, 0, 0.8f}, {0.6f, 0, 0.8f}, {0, 0, 1}};
+  mesh.triangles = {{0, 1, 2}};
+  pair.meshes = {mesh};
+  Eigen::Affine3d place = Eigen::Translation3d(0.3, 0.2, 1) *
+                          Eigen::AngleAxisd(0.5, Eigen::Vector3d(1, 2, 3).normalized()) *
+                          Eigen::Scaling(1.0, 2.0, 3.0);
+  pair.objects = {
+      {"a", RenderObject::Shape::mesh, 0, 0, place},
+      {"b", RenderObject::Shape::mesh, 0, 0, Eigen::Affine3d(Eigen::Translation3d(9, 9, 9))}};
+  RenderScene alone = pair;
+  alone.objects.pop_back();
+
+  Vec8 origin = broadcast({0.3f, 0.2f, 9}), direction = broadcast({0, 0, -1});
+  for (int i = 0; i < lane_count; ++i) origin.x[i] += 0.05f * static_cast<float>(i);
+  const Hits a = EmbreeScene::build(pair, never)->intersect(origin, direction, Int8{} - 1);
+  const Hits b = EmbreeScene::build(alone, never)->intersect(origin, direction, Int8{} - 1);
+  for (int i = 0; i < lane_count; ++i) {
+    ASSERT_EQ(a.hit[i], -1);
+    ASSERT_EQ(b.hit[i], -1);
+    EXPECT_NEAR(a.distance[i], b.distance[i], 1e-5);
+    EXPECT_NEAR(a.normal.x[i], b.normal.x[i], 1e-5);
+    EXPECT_NEAR(a.normal.y[i], b.normal.y[i], 1e-5);
+    EXPECT_NEAR(a.geometric_normal.x[i], b.geometric_normal.x[i], 1e-5);
+  }
+}
+
+TEST(EmbreeScene, ACancelledBuildGivesNothing) {
+  const std::atomic<bool> at_once = true;
+  EXPECT_FALSE(EmbreeScene::build(unit_ball(), at_once).has_value());
+}
+
+}  // namespace
+}  // namespace metamer::cpu

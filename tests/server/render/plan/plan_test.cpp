@@ -1,0 +1,77 @@
+#include "server/plan/plan.h"
+
+#include <gtest/gtest.h>
+
+#include "common/scene/settings.h"
+#include "tests/server/render/test_scene.h"
+
+namespace metamer {
+namespace {
+
+std::string scene(const std::string& light, const std::string& material,
+                  const std::string& settings) {
+  return "camera { eye { z: 3 } target {} } light { name: 'l' position { y: 2 } " + light +
+         " } material { name: 'm' " + material +
+         " } material { name: 'unused' mirror: 1 blinn_phong {} } object { name: 'o' material: 'm' "
+         "sphere { radius: 1 } } settings { " +
+         settings + " }";
+}
+
+v1::Plan plan(const std::string& text) {
+  return make_plan(test::compile_text(text), with_defaults(test::parse_scene(text).settings()),
+                   {.threads = 2});
+}
+
+TEST(Plan, GoesNoDeeperThanItsMirrors) {
+  EXPECT_EQ(plan(scene("spectrum { standard: 'E' }", "", "depth: 9")).depth(), 0u);
+  EXPECT_EQ(plan(scene("spectrum { standard: 'E' }", "mirror: 0.1", "depth: 9")).depth(), 9u);
+}
+
+TEST(Plan, ListsOnlyTheModelsThatObjectsUse) {
+  const v1::Plan lambert = plan(scene("spectrum { standard: 'E' }", "", ""));
+  EXPECT_EQ(lambert.models_size(), 1);
+  EXPECT_EQ(lambert.models(0), "lambert");
+}
+
+TEST(Plan, FillsInEveryDefault) {
+  const v1::Plan defaults = plan(scene("spectrum { standard: 'E' }", "", ""));
+  EXPECT_EQ(defaults.width(), 640u);
+  EXPECT_EQ(defaults.height(), 480u);
+  EXPECT_EQ(defaults.spp(), 16u);
+  EXPECT_EQ(defaults.tile_size(), 16u);
+  EXPECT_EQ(defaults.threads(), 2u);
+  EXPECT_EQ(defaults.from(), 400);
+  EXPECT_EQ(defaults.to(), 700);
+  EXPECT_EQ(defaults.bands(), 61u);
+  EXPECT_EQ(defaults.notice_size(), 0);
+}
+
+TEST(Plan, SaysWhereASpectrumHasNoData) {
+  const v1::Plan gaps =
+      plan(scene("spectrum { samples { wavelength: [450, 650] value: [1, 1] } }",
+                 "diffuse { samples { wavelength: [420, 690] value: [0.1, 0.2] } }", ""));
+  ASSERT_EQ(gaps.notice_size(), 4);
+  EXPECT_EQ(gaps.notice(0).field(), "light[0].spectrum");
+  EXPECT_EQ(gaps.notice(0).message(), "10 of 61 wavelengths lie below its data (450 nm): 0 there");
+  EXPECT_EQ(gaps.notice(1).message(), "10 of 61 wavelengths lie above its data (650 nm): 0 there");
+  EXPECT_EQ(gaps.notice(2).field(), "material[0].diffuse");
+  EXPECT_EQ(gaps.notice(2).message(),
+            "4 of 61 wavelengths lie below its data (420 nm): its end value there");
+}
+
+TEST(Plan, SaysThatALightStaysDark) {
+  // A spike between two sample positions: none of its power is seen.
+  const v1::Plan dark =
+      plan(scene("spectrum { samples { wavelength: [501, 502, 503] value: [0, 1, 0] } }", "", ""));
+  ASSERT_GE(dark.notice_size(), 1);
+  EXPECT_EQ(dark.notice(dark.notice_size() - 1).message(),
+            "light \"l\" stays dark: the observer sees nothing of it at these wavelengths");
+}
+
+TEST(Plan, IsAFunctionOfItsArguments) {
+  const std::string text = scene("spectrum { standard: 'F11' }", "blinn_phong {}", "");
+  EXPECT_EQ(plan(text).SerializeAsString(), plan(text).SerializeAsString());
+}
+
+}  // namespace
+}  // namespace metamer

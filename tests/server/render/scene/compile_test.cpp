@@ -1,0 +1,162 @@
+#include "server/scene/compile.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "tests/server/render/test_scene.h"
+
+namespace metamer {
+namespace {
+
+const std::atomic<bool> never = false;
+using Files = std::map<std::string, std::string>;
+
+auto compile_with(const std::string& text, const Files& files) {
+  return compile_scene(
+      test::parse_scene(text),
+      [&](const std::string& name) -> Result<std::string> {
+        const auto found = files.find(name);
+        if (found == files.end()) return problem("was not sent along");
+        return found->second;
+      },
+      never);
+}
+
+std::string scene(const std::string& material, const std::string& objects) {
+  return "camera { eye { z: 3 } target {} } light { name: 'l' position { y: 2 } spectrum { "
+         "standard: "
+         "'E' } } material { name: 'm' " +
+         material + " } " + objects;
+}
+
+const std::string ball = "object { name: 'o' material: 'm' sphere { radius: 1 } }";
+const std::string two_meshes =
+    "object { name: 'a' material: 'm' mesh { file: 'x.obj' } } "
+    "object { name: 'b' material: 'm' mesh { file: 'x.obj' } transform { translate { x: 5 } } }";
+
+const std::string square_obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+
+TEST(Compile, AParameterOutsideItsRangeNamesTheNearestAllowedValue) {
+  const auto result = compile_with(scene("blinn_phong { shininess: 0.5 }", ball), {});
+  ASSERT_FALSE(result);
+  ASSERT_EQ(result.error().size(), 1u);
+  EXPECT_EQ(result.error()[0].field, "material[0].blinn_phong.shininess");
+  EXPECT_EQ(result.error()[0].message,
+            "shininess must lie in 1 to 1e+06 (it is 0.5); the nearest allowed value is 1");
+}
+
+TEST(Compile, ParametersFollowTheirTable) {
+  const auto given = compile_with(
+      scene("diffuseness: 0.25 specularness: 0.5 blinn_phong { shininess: 12 }", ball), {});
+  EXPECT_EQ(given->materials[0].model, models::Model::blinn_phong);
+  EXPECT_EQ(given->materials[0].parameters[0], 0.25f);
+  EXPECT_EQ(given->materials[0].parameters[1], 0.5f);
+  EXPECT_EQ(given->materials[0].parameters[2], 12);
+  const auto left_out = compile_with(scene("blinn_phong {}", ball), {});
+  EXPECT_EQ(left_out->materials[0].parameters[0], 1);
+  EXPECT_EQ(left_out->materials[0].parameters[1], 0);
+  EXPECT_EQ(left_out->materials[0].parameters[2], 60);
+}
+
+TEST(Compile, TheSameSpectrumAndTheSameMeshAreLoadedOnce) {
+  const auto result =
+      compile_with(scene("diffuse { constant: 0.5 } specular { constant: 0.5 }", two_meshes),
+                   {{"x.obj", square_obj}});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->properties.size(), 1u);
+  EXPECT_EQ(result->meshes.size(), 1u);
+  EXPECT_EQ(result->objects.size(), 2u);
+  EXPECT_EQ(result->triangle_count(), 2u);
+}
+
+TEST(Compile, StepsOfATransformApplyInTheOrderWritten) {
+  const auto result =
+      compile_with(scene("",
+                         "object { name: 'o' material: 'm' sphere { center { x: 1 } radius: 1 } "
+                         "transform { rotate { axis { z: 2 } degrees: 90 } } "
+                         "transform { translate { x: 10 } } "
+                         "transform { matrix { row_major: [2,0,0,0, 0,3,0,0, 0,0,4,1] } } }"),
+                   {});
+  ASSERT_TRUE(result);
+  const Eigen::Vector3d center = result->objects[0].to_world * Eigen::Vector3d::Zero();
+  EXPECT_NEAR(center.x(), 20, 1e-12);  // (1,0,0) → (0,1,0) → (10,1,0) → (20,3,1)
+  EXPECT_NEAR(center.y(), 3, 1e-12);
+  EXPECT_NEAR(center.z(), 1, 1e-12);
+}
+
+struct BadMesh {
+  const char* name;
+  std::string bytes;
+  const char* message;
+};
+
+TEST(Compile, EachBadMeshHasItsMessage) {
+  // One triangle as binary PLY, whose third vertex has the given x.
+  const auto ply = [](float x) {
+    const float corners[9] = {0, 0, 0, 1, 0, 0, x, 1, 0};
+    const std::int32_t face[3] = {0, 1, 2};
+    return "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty "
+           "float "
+           "y\nproperty float z\nelement face 1\nproperty list uchar int "
+           "vertex_indices\nend_header\n" +
+           std::string(reinterpret_cast<const char*>(corners), sizeof corners) + '\3' +
+           std::string(reinterpret_cast<const char*>(face), sizeof face);
+  };
+  const std::vector<BadMesh> cases = {
+      {"empty.obj", "# no faces at all\nv 0 0 0\nv 1 0 0\nv 1 1 0\n", "holds no triangles"},
+      {"nan.ply", ply(NAN), "vertex 2 is not finite or too far out"},
+      {"far.ply", ply(1e20f), "vertex 2 is not finite or too far out"},
+  };
+  EXPECT_TRUE(
+      compile_with(scene("", "object { name: 'o' material: 'm' mesh { file: 'good.ply' } }"),
+                   {{"good.ply", ply(1)}}));
+  for (const BadMesh& bad : cases) {
+    const auto result = compile_with(scene("", "object { name: 'o' material: 'm' mesh { file: '" +
+                                                   std::string(bad.name) + "' } }"),
+                                     {{bad.name, bad.bytes}});
+    ASSERT_FALSE(result) << bad.name;
+    EXPECT_EQ(result.error()[0].field, "object[0].mesh.file");
+    EXPECT_EQ(result.error()[0].file, bad.name);
+    EXPECT_EQ(result.error()[0].message, bad.message);
+  }
+  const auto garbage =
+      compile_with(scene("", "object { name: 'o' material: 'm' mesh { file: 'x.ply' } }"),
+                   {{"x.ply", "not a mesh"}});
+  ASSERT_FALSE(garbage);
+  EXPECT_EQ(garbage.error()[0].message.rfind("can't be read as a mesh: ", 0), 0u)
+      << garbage.error()[0].message;
+}
+
+TEST(Compile, AGltfReadsItsBufferFromTheAssetsAndFromNowhereElse) {
+  // One triangle: three positions of 12 bytes in a buffer beside it.
+  const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const std::string buffer(reinterpret_cast<const char*>(corners), sizeof corners);
+  const auto gltf = [](const std::string& uri) {
+    return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+      "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+      "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+      "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":")" +
+           uri + "\"}]}";
+  };
+  const std::string object = "object { name: 'o' material: 'm' mesh { file: 'x.gltf' } }";
+  const auto sound =
+      compile_with(scene("", object), {{"x.gltf", gltf("x.bin")}, {"x.bin", buffer}});
+  ASSERT_TRUE(sound) << sound.error()[0].message;
+  EXPECT_EQ(sound->triangle_count(), 1u);
+  EXPECT_FALSE(compile_with(scene("", object), {{"x.gltf", gltf("/etc/passwd")}}));
+}
+
+TEST(Compile, EverythingWrongIsReportedTogether) {
+  const auto result =
+      compile_with(scene("diffuse { file: 'no.sp' } blinn_phong { shininess: 2e6 }",
+                         "object { name: 'o' material: 'm' mesh { file: 'no.obj' } }"),
+                   {});
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().size(), 3u);
+}
+
+}  // namespace
+}  // namespace metamer

@@ -1,0 +1,56 @@
+#include "tests/server/render/test_scene.h"
+
+#include <google/protobuf/text_format.h>
+#include <gtest/gtest.h>
+
+#include "common/scene/settings.h"
+#include "server/cpu/tracer.h"
+#include "server/methods/method.h"
+#include "server/plan/plan.h"
+#include "server/scene/compile.h"
+
+namespace metamer::test {
+
+v1::Scene parse_scene(const std::string& text) {
+  v1::Scene scene;
+  if (!google::protobuf::TextFormat::ParseFromString(text, &scene))
+    throw std::invalid_argument("the test's scene has a mistake");
+  return scene;
+}
+
+RenderScene compile_text(const std::string& text) {
+  const std::atomic<bool> never = false;
+  const AssetReader none = [](const std::string&) -> Result<std::string> {
+    return problem("no assets here");
+  };
+  auto compiled = compile_scene(parse_scene(text), none, never);
+  if (!compiled)
+    throw std::invalid_argument(compiled.error().front().field + ": " +
+                                compiled.error().front().message);
+  return std::move(*compiled);
+}
+
+Rendered render(const std::string& scene_text) {
+  const RenderScene scene = compile_text(scene_text);
+  const v1::Settings settings = with_defaults(parse_scene(scene_text).settings());
+  const v1::Plan plan = make_plan(scene, settings, {.threads = 1});
+  const auto method = make_method(plan, scene);
+  const std::atomic<bool> never = false;
+  std::atomic<std::uint64_t> work = 0;
+  const auto geometry = cpu::EmbreeScene::build(scene, never);
+  const cpu::Tracer tracer(scene, *geometry, *method, plan);
+
+  Rendered picture{plan.width(), plan.height(), {}, 0};
+  picture.xyz.assign(std::size_t{plan.width()} * plan.height() * 3, -1.0f);
+  const Film film{picture.xyz.data(), plan.width(), plan.height()};
+  auto workspace = tracer.make_workspace();
+  const std::uint32_t size = plan.tile_size();
+  for (std::uint32_t y = 0; y < plan.height(); y += size)
+    for (std::uint32_t x = 0; x < plan.width(); x += size)
+      tracer.render({x, y, std::min(size, plan.width() - x), std::min(size, plan.height() - y)},
+                    film, workspace, never, work);
+  picture.rays = workspace.rays;
+  return picture;
+}
+
+}  // namespace metamer::test

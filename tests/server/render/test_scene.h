@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <atomic>
+#include <string>
+#include <vector>
+
+#include "metamer/v1/plan.pb.h"
+#include "metamer/v1/scene.pb.h"
+#include "server/film/film.h"
+#include "server/scene/render_scene.h"
+
+namespace metamer::test {
+
+/// The scene that a text in protobuf text format describes; the text must be right.
+v1::Scene parse_scene(const std::string& text);
+
+/// Compiled without any assets; must be sound.
+RenderScene compile_text(const std::string& text);
+
+/// A picture and the rays that it took.
+struct Rendered {
+  std::uint32_t width, height;
+  std::vector<float> xyz;
+  std::uint64_t rays = 0;
+  std::array<float, 3> at(std::uint32_t x, std::uint32_t y) const {
+    const float* p = xyz.data() + (std::size_t{y} * width + x) * 3;
+    return {p[0], p[1], p[2]};
+  }
+};
+
+/// Compiles, plans and renders on this thread, by tiles of the settings' size.
+Rendered render(const std::string& scene_text);
+
+}  // namespace metamer::test
