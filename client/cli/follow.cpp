@@ -45,12 +45,12 @@ ExitCode conclude_failed(const v1::Failed& failed, const SceneInput* scene, Repo
   const bool bad_input = failed.kind() == v1::Failed::BAD_INPUT;
   if (!bad_input || failed.problem().empty())
     report.error(failed.reason().empty() ? "the job failed" : "the job failed: " + failed.reason());
-  for (const v1::Problem& one : failed.problem()) {
-    if (scene) {
-      scene->print(from_wire(one), report);
-    } else {
-      report.problem(from_wire(one), {});
-    }
+  std::vector<Problem> problems;
+  for (const v1::Problem& one : failed.problem()) problems.push_back(from_wire(one));
+  if (scene) {
+    scene->print_all(problems, report);
+  } else {
+    for (const Problem& one : problems) report.problem(one, {});
   }
   return bad_input ? ExitCode::bad_input : ExitCode::job_failed;
 }

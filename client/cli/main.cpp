@@ -43,12 +43,14 @@ void add_overrides(CLI::App& command, Overrides& options) {
   add("--threads", options.threads, "0: as many as the server has");
   add("--tile-size", options.tile_size, "pixels, a multiple of 8");
   add("--light", options.lights, "give a light a CIE illuminant: NAME=A, or *=A for all of them")
-      ->type_name("NAME=ILLUMINANT");
+      ->type_name("NAME=ILLUMINANT")
+      ->allow_extra_args(false);
 }
 
 void add_output(CLI::App& command, OutputOptions& options) {
   command.add_option("-o,--output", options.files, "a .png or .exr; may be given several times")
-      ->required();
+      ->required()
+      ->allow_extra_args(false);
   command.add_option("--exr", options.exr, "what an .exr holds: rgb (linear sRGB) or xyz")
       ->capture_default_str();
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <set>
 #include <utility>
 
 #include "common/scene/validate.h"
@@ -77,8 +78,17 @@ bool SceneInput::check(Report& report) {
       return std::move(*bytes);
     });
   }
-  for (Problem& problem : problems) print(std::move(problem), report);
+  print_all(problems, report);
   return problems.empty();
+}
+
+void SceneInput::print_all(const std::vector<Problem>& problems, Report& report) const {
+  // An option that went into several fields is wrong once.
+  std::set<std::string> told;
+  for (const Problem& problem : problems) {
+    const bool optional = !option_of(replaced_, problem.field).empty();
+    if (!optional || told.insert(problem.message).second) print(problem, report);
+  }
 }
 
 std::string SceneInput::name() const { return fs::path(file_.file()).filename().string(); }
@@ -88,6 +98,7 @@ Problem SceneInput::locate(Problem problem) const {
   const std::string option = option_of(replaced_, problem.field);
   if (!option.empty()) {
     problem.message = option + ": " + problem.message;
+    problem.field.clear();
     return problem;
   }
   // Name a file as the user would: as seen from here, not from the scene's folder.

@@ -28,6 +28,7 @@ class SceneInput {
   /// Prints a problem, found here or by the server, at its place in the scene, in a file that the
   /// scene names, or at the option that caused it.
   void print(Problem problem, Report& report) const;
+  void print_all(const std::vector<Problem>& problems, Report& report) const;
   void print(const v1::Notice& notice, Report& report) const;
 
  private:

@@ -4,10 +4,13 @@
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
-#include <sys/pidfd.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+extern "C" {  // glibc 2.36 forgot it
+#include <sys/pidfd.h>
+}
 
 #include <array>
 #include <boost/asio.hpp>
@@ -54,8 +57,9 @@ Answer<fs::path> make_folder() {
 Answer<pid_t> spawn_daemon(const std::string& daemon, const fs::path& folder, int lifeline) {
   const std::string listen = "unix:" + (folder / "socket").string();
   const std::string log = (folder / "log").string();
-  std::vector<std::string> words = {daemon, "--listen", listen, "--parent-fd",
-                                    std::to_string(child_lifeline)};
+  std::vector<std::string> words = {
+      daemon,        "--listen", listen, "--parent-fd", std::to_string(child_lifeline),
+      "--log-level", "warn"};
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);

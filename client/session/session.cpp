@@ -143,7 +143,7 @@ const v1::Welcome& Session::welcome() const { return state_->welcome; }
 
 asio::awaitable<Answer<std::unique_ptr<Session>>> Session::connect(std::string server) {
   const auto endpoint = wire::parse_endpoint(server);
-  if (!endpoint) co_return session_error(Kind::no_server, endpoint.error().message);
+  if (!endpoint) co_return session_error(Kind::input, endpoint.error().message);
   const auto executor = co_await asio::this_coro::executor;
   auto socket = wire::connect(executor, *endpoint);
   if (!socket) co_return session_error(Kind::no_server, socket.error().message);

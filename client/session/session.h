@@ -18,7 +18,7 @@ namespace metamer {
 class Session {
  public:
   /// Connects to "unix:PATH" or "HOST:PORT" and shakes hands.
-  /// Errors: no_server (with the system's reason; also for an address that is none), version.
+  /// Errors: input (an address that is none), no_server (with the system's reason), version.
   static boost::asio::awaitable<Answer<std::unique_ptr<Session>>> connect(std::string server);
   ~Session();
 

@@ -1,0 +1,156 @@
+// Options in place of the scene's settings.
+#include "client/cli/overrides.h"
+
+#include <google/protobuf/text_format.h>
+#include <gtest/gtest.h>
+
+namespace metamer::cli {
+namespace {
+
+v1::Scene scene_from(const std::string& text) {
+  v1::Scene scene;
+  EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(text, &scene));
+  return scene;
+}
+
+std::string error_of(const Overrides& overrides, v1::Scene scene = {}) {
+  const auto applied = apply(overrides, scene);
+  return applied ? "" : applied.error().message;
+}
+
+TEST(Overrides, LeaveOutWhatIsNotGiven) {
+  v1::Scene scene = scene_from("settings { width: 7 spp: 3 method { rgb {} } }");
+  const v1::Scene before = scene;
+  ASSERT_TRUE(apply({}, scene));
+  EXPECT_EQ(scene.DebugString(), before.DebugString());
+}
+
+TEST(Overrides, EachReplacesItsSetting) {
+  v1::Scene scene = scene_from("settings { width: 7 spp: 3 observer: CIE_1931_2DEG }");
+  Overrides overrides;
+  overrides.size = "320x200";
+  overrides.spp = 9;
+  overrides.depth = 0;
+  overrides.threads = 2;
+  overrides.tile_size = 64;
+  overrides.observer = "cie-1964-10deg";
+  overrides.method = "rgb";
+  ASSERT_TRUE(apply(overrides, scene));
+  EXPECT_EQ(scene.settings().width(), 320u);
+  EXPECT_EQ(scene.settings().height(), 200u);
+  EXPECT_EQ(scene.settings().spp(), 9u);
+  EXPECT_TRUE(scene.settings().has_depth());
+  EXPECT_EQ(scene.settings().depth(), 0u);
+  EXPECT_EQ(scene.settings().threads(), 2u);
+  EXPECT_EQ(scene.settings().tile_size(), 64u);
+  EXPECT_EQ(scene.settings().observer(), v1::CIE_1964_10DEG);
+  EXPECT_TRUE(scene.settings().method().has_rgb());
+}
+
+TEST(Overrides, PositionsAskForPointSamplingAndReplaceAllOthers) {
+  v1::Scene scene = scene_from("settings { method { point { wavelengths: [400, 500] } } }");
+  Overrides overrides;
+  overrides.samples = "380:780:2.5";
+  ASSERT_TRUE(apply(overrides, scene));
+  const v1::Point& point = scene.settings().method().point();
+  EXPECT_EQ(point.from(), 380);
+  EXPECT_EQ(point.to(), 780);
+  EXPECT_EQ(point.step(), 2.5);
+  EXPECT_EQ(point.wavelengths_size(), 0);
+
+  v1::Scene rgb = scene_from("settings { method { rgb {} } }");
+  overrides = {};
+  overrides.wavelengths = "400,436,546,700";
+  ASSERT_TRUE(apply(overrides, rgb));
+  ASSERT_EQ(rgb.settings().method().point().wavelengths_size(), 4);
+  EXPECT_EQ(rgb.settings().method().point().wavelengths(1), 436);
+}
+
+TEST(Overrides, MethodPointKeepsTheScenesPositions) {
+  v1::Scene scene = scene_from("settings { method { point { wavelengths: [400, 500] } } }");
+  Overrides overrides;
+  overrides.method = "point";
+  ASSERT_TRUE(apply(overrides, scene));
+  EXPECT_EQ(scene.settings().method().point().wavelengths_size(), 2);
+}
+
+TEST(Overrides, LightByNameOrAllOfThem) {
+  const std::string text =
+      "light { name: \"a=b\" spectrum { file: \"x\" entry: \"y\" } } light { name: \"c\" }";
+  v1::Scene scene = scene_from(text);
+  Overrides overrides;
+  overrides.lights = {"a=b=F11"};
+  ASSERT_TRUE(apply(overrides, scene));
+  EXPECT_EQ(scene.light(0).spectrum().standard(), "F11");
+  EXPECT_EQ(scene.light(0).spectrum().entry(), "");
+  EXPECT_FALSE(scene.light(1).has_spectrum());
+
+  scene = scene_from(text);
+  overrides.lights = {"*=A", "c=D65"};
+  ASSERT_TRUE(apply(overrides, scene));
+  EXPECT_EQ(scene.light(0).spectrum().standard(), "A");
+  EXPECT_EQ(scene.light(1).spectrum().standard(), "D65");
+}
+
+TEST(Overrides, WhatTheyReplacedIsTheirs) {
+  v1::Scene scene = scene_from("light { name: \"lamp\" } light { name: \"sun\" }");
+  Overrides overrides;
+  overrides.spp = 4;
+  overrides.samples = "400:700:5";
+  overrides.lights = {"sun=A"};
+  const auto replaced = apply(overrides, scene);
+  ASSERT_TRUE(replaced);
+  EXPECT_EQ(option_of(*replaced, "settings.spp"), "--spp");
+  EXPECT_EQ(option_of(*replaced, "settings.method.point.step"), "--samples");
+  EXPECT_EQ(option_of(*replaced, "light[1].spectrum.standard"), "--light");
+  EXPECT_EQ(option_of(*replaced, "light[0].spectrum.standard"), "");
+  EXPECT_EQ(option_of(*replaced, "light[1].position"), "");
+  EXPECT_EQ(option_of(*replaced, "settings.spp_of_another_kind"), "");
+}
+
+TEST(Overrides, ErrorsSayWhatWasExpected) {
+  Overrides both;
+  both.samples = "400:700:5";
+  both.wavelengths = "400,500";
+  EXPECT_EQ(error_of(both), "--samples and --wavelengths exclude each other");
+
+  Overrides rgb;
+  rgb.method = "rgb";
+  rgb.samples = "400:700:5";
+  EXPECT_EQ(error_of(rgb), "--method rgb has no wavelengths to choose");
+
+  Overrides method;
+  method.method = "piont";
+  EXPECT_EQ(error_of(method), "--method: no method named \"piont\"; did you mean \"point\"?");
+
+  Overrides observer;
+  observer.observer = "cie-1931";
+  EXPECT_EQ(error_of(observer), "--observer: no observer named \"cie-1931\"");
+
+  for (const std::string bad : {"640", "640x", "x480", "640x480x3", "-1x5", "640x480 "}) {
+    Overrides size;
+    size.size = bad;
+    EXPECT_EQ(error_of(size), "--size: \"" + bad + "\" is not WIDTHxHEIGHT, such as 640x480");
+  }
+  for (const std::string bad : {"400", "400:700", "400:700:5:1", "400:seven:5", "::"}) {
+    Overrides samples;
+    samples.samples = bad;
+    EXPECT_EQ(error_of(samples),
+              "--samples: \"" + bad + "\" is not FROM:TO:STEP, such as 400:700:5");
+  }
+  for (const std::string bad : {"", "400,", "400;500"}) {
+    Overrides wavelengths;
+    wavelengths.wavelengths = bad;
+    EXPECT_EQ(error_of(wavelengths),
+              "--wavelengths: \"" + bad + "\" is not a list of numbers, such as 400,436,546,700");
+  }
+  for (const std::string bad : {"lamp", "=A", "lamp="}) {
+    Overrides lights;
+    lights.lights = {bad};
+    EXPECT_EQ(error_of(lights),
+              "--light: \"" + bad + "\" is not NAME=ILLUMINANT, such as ceiling=A");
+  }
+}
+
+}  // namespace
+}  // namespace metamer::cli

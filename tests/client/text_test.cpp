@@ -1,0 +1,115 @@
+// What people and programs read: progress, plans, job lines, JSON.
+#include <gtest/gtest.h>
+
+#include "client/cli/job_text.h"
+#include "client/cli/json.h"
+#include "client/cli/progress.h"
+
+namespace metamer::cli {
+namespace {
+
+v1::Progress progress_of(std::uint32_t done, std::uint32_t tiles, std::uint64_t rays,
+                         double seconds, double left) {
+  v1::Progress progress;
+  progress.set_tiles_done(done);
+  progress.set_tiles(tiles);
+  progress.set_rays(rays);
+  progress.set_seconds(seconds);
+  progress.set_seconds_left(left);
+  return progress;
+}
+
+TEST(Clock, CountsUpToHours) {
+  EXPECT_EQ(clock(0), "0:00");
+  EXPECT_EQ(clock(6.2), "0:07");
+  EXPECT_EQ(clock(61), "1:01");
+  EXPECT_EQ(clock(3723), "1:02:03");
+  EXPECT_EQ(clock(-1), "-:--");
+  EXPECT_EQ(clock(0.0 / 0.0), "-:--");
+}
+
+TEST(Bar, ShowsShareRateAndTimeLeft) {
+  EXPECT_EQ(bar(progress_of(40, 100, 24'600'000, 2, 7), 50),
+            "[######---------]   40 %  12.3 Mrays/s  0:07 left");
+  EXPECT_EQ(bar(progress_of(100, 100, 1, 1, 0), 200),
+            "[########################################]  100 %  0.0 Mrays/s  0:00 left");
+}
+
+TEST(Bar, NeverFillsTheLastColumn) {
+  // There the terminal would begin a new line.
+  for (int columns = 0; columns < 120; ++columns)
+    EXPECT_LT(bar(progress_of(1, 3, 1'000'000, 1, 2), columns).size(),
+              static_cast<std::size_t>(std::max(columns, 1)))
+        << columns;
+}
+
+TEST(Bar, KnowsNoRateBeforeTheFirstSecond) {
+  EXPECT_EQ(bar(progress_of(0, 0, 0, 0, 0), 30), "  0 %  - Mrays/s  0:00 left");
+}
+
+TEST(Plan, IsOneLine) {
+  v1::Plan plan;
+  plan.set_width(640);
+  plan.set_height(480);
+  plan.set_spp(1);
+  plan.set_bands(61);
+  plan.set_from(400);
+  plan.set_to(700);
+  plan.set_lights(2);
+  plan.set_materials(1);
+  plan.set_triangles(40000);
+  plan.set_threads(2);
+  plan.mutable_method()->mutable_point();
+  EXPECT_EQ(describe(plan),
+            "640x480, 1 sample per pixel, point at 61 wavelengths from 400 to 700 nm, 2 lights, "
+            "1 material, 40000 triangles, 2 threads");
+  plan.mutable_method()->mutable_rgb();
+  EXPECT_EQ(describe(plan),
+            "640x480, 1 sample per pixel, rgb, 2 lights, 1 material, 40000 triangles, 2 threads");
+}
+
+TEST(JobLine, HoldsWhatAListNeeds) {
+  v1::JobSummary job;
+  job.set_job_id(7);
+  job.set_name("booth.txtpb");
+  job.set_state(v1::FAILED);
+  job.set_tiles_done(120);
+  job.set_tiles(300);
+  job.set_age(42);
+  job.set_reason("the worker was lost");
+  EXPECT_EQ(describe(job),
+            "    7  failed         120/300      0:42  booth.txtpb  (the worker was lost)");
+}
+
+TEST(Json, KeepsDefaultsAndWordsAndLeavesPixelsOut) {
+  v1::JobEvent event;
+  event.set_job_id(3);
+  event.set_sequence(9);
+  event.mutable_tile()->set_x(8);
+  event.mutable_tile()->set_xyz("pixels");
+  EXPECT_EQ(to_json(event).dump(),
+            R"({"job_id":3,"sequence":9,"time":0.0,"tile":{"x":8,"y":0,"width":0,"height":0}})");
+
+  v1::JobSummary job;
+  job.set_state(v1::RUNNING);
+  job.set_last_sequence(1ull << 40);
+  EXPECT_EQ(to_json(job)["state"], "running");
+  EXPECT_EQ(to_json(job)["last_sequence"], 1ull << 40);
+
+  v1::Failed failed;
+  failed.set_kind(v1::Failed::BAD_INPUT);
+  failed.add_problem()->set_line(4);
+  EXPECT_EQ(to_json(failed)["kind"], "bad-input");
+  EXPECT_EQ(to_json(failed)["problem"][0]["line"], 4);
+}
+
+TEST(Json, WritesDigestsInHex) {
+  v1::Plan plan;
+  plan.set_scene_digest(std::string(32, '\x0f'));
+  std::string hex;
+  for (int i = 0; i < 32; ++i) hex += "0f";
+  EXPECT_EQ(to_json(plan)["scene_digest"], hex);
+}
+
+}  // namespace
+}  // namespace metamer::cli
