@@ -1,0 +1,158 @@
+#include "server/service/asset_store.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <fstream>
+#include <optional>
+#include <utility>
+
+namespace metamer::service {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t hex_size = 2 * std::tuple_size_v<Digest>;
+
+/// The digest that a file is named by; nothing for any other name.
+std::optional<Digest> digest_of_name(const std::string& name) {
+  if (name.size() != hex_size) return std::nullopt;
+  const auto nibble = [](char c) {
+    if (c >= '0' && c <= '9') return c - '0';
+    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+    return -1;
+  };
+  Digest digest{};
+  for (std::size_t i = 0; i < digest.size(); ++i) {
+    const int high = nibble(name[2 * i]);
+    const int low = nibble(name[2 * i + 1]);
+    if (high < 0 || low < 0) return std::nullopt;
+    digest[i] = static_cast<unsigned char>(high * 16 + low);
+  }
+  return digest;
+}
+
+/// The digest of a file's bytes, and their number.
+std::pair<Digest, std::uint64_t> digest_of_file(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  DigestStream sum;
+  std::uint64_t size = 0;
+  std::vector<char> piece(1 << 20);
+  while (file.read(piece.data(), static_cast<std::streamsize>(piece.size())) || file.gcount() > 0) {
+    const auto got = static_cast<std::size_t>(file.gcount());
+    sum.update({piece.data(), got});
+    size += got;
+  }
+  return {sum.finish(), size};
+}
+
+}  // namespace
+
+AssetStore::AssetStore(fs::path folder, std::uint64_t quota)
+    : folder_(std::move(folder)), quota_(quota) {}
+
+Result<std::unique_ptr<AssetStore>> AssetStore::open(fs::path folder, std::uint64_t quota) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) {
+    return problem("can't make the store's folder " + folder.string() + ": " + error.message());
+  }
+  auto store = std::unique_ptr<AssetStore>(new AssetStore(std::move(folder), quota));
+  if (auto scanned = store->scan(); !scanned) return tl::unexpected(scanned.error());
+  return store;
+}
+
+Result<void> AssetStore::scan() {
+  // Take over the assets, oldest first, and clear away what is none.
+  struct Found {
+    fs::file_time_type time;
+    fs::path path;
+  };
+  std::vector<Found> found;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder_, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const fs::path& path = entry->path();
+    std::error_code ignored;
+    if (path.filename().string().starts_with("upload-")) fs::remove(path, ignored);
+    if (!digest_of_name(path.filename().string()) || !entry->is_regular_file(ignored)) continue;
+    found.push_back({entry->last_write_time(ignored), path});
+  }
+  if (error) return problem("can't read the store " + folder_.string() + ": " + error.message());
+  std::sort(found.begin(), found.end(),
+            [](const Found& a, const Found& b) { return a.time < b.time; });
+  for (const Found& asset : found) {
+    const auto [digest, size] = digest_of_file(asset.path);
+    if (to_hex(digest) == asset.path.filename() && promise(size)) {
+      insert(digest, size);
+    } else {
+      fs::remove(asset.path, error);
+    }
+  }
+  return {};
+}
+
+void AssetStore::insert(const Digest& digest, std::uint64_t size) {
+  assert(!has(digest));
+  const auto place = by_use_.insert(by_use_.end(), digest);
+  assets_.emplace(digest, Asset{size, 0, place});
+}
+
+bool AssetStore::hold(const Digest& digest) {
+  const auto found = assets_.find(digest);
+  if (found == assets_.end()) return false;
+  ++found->second.holds;
+  by_use_.splice(by_use_.end(), by_use_, found->second.place);
+  return true;
+}
+
+void AssetStore::release(const Digest& digest) {
+  const auto found = assets_.find(digest);
+  assert(found != assets_.end() && found->second.holds > 0);
+  --found->second.holds;
+}
+
+tl::expected<void, Refusal> AssetStore::promise(std::uint64_t size) {
+  // Choose what has to go before anything goes: a request that can't be met costs nothing.
+  std::vector<Digest> victims;
+  std::uint64_t freed = 0;
+  for (auto oldest = by_use_.begin(); bytes_ - freed + size > quota_; ++oldest) {
+    if (oldest == by_use_.end()) {
+      return refuse(v1::Error::LIMIT, "the asset store is full: " + std::to_string(size) +
+                                          " bytes do not fit beside the " +
+                                          std::to_string(bytes_ - freed) +
+                                          " in use; its quota is " + std::to_string(quota_));
+    }
+    const Asset& asset = assets_.at(*oldest);
+    if (asset.holds > 0) continue;
+    freed += asset.size;
+    victims.push_back(*oldest);
+  }
+  for (const Digest& victim : victims) evict(victim);
+  bytes_ += size;
+  return {};
+}
+
+void AssetStore::evict(const Digest& digest) {
+  const auto found = assets_.find(digest);
+  std::error_code ignored;
+  fs::remove(file(digest), ignored);
+  bytes_ -= found->second.size;
+  by_use_.erase(found->second.place);
+  assets_.erase(found);
+}
+
+bool AssetHolds::add(const Digest& digest) {
+  if (held_.contains(digest)) return true;
+  if (!store_->hold(digest)) return false;
+  held_.insert(digest);
+  return true;
+}
+
+void AssetHolds::clear() {
+  for (const Digest& digest : held_) store_->release(digest);
+  held_.clear();
+}
+
+}  // namespace metamer::service

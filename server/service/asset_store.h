@@ -1,0 +1,118 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <list>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "common/digest.h"
+#include "common/problem.h"
+#include "server/service/refusal.h"
+
+namespace metamer::service {
+
+/// A folder of assets, each a file that is named by the hex of its digest. It holds at most `quota`
+/// bytes: the assets that were not used for longest go first, but never one that is held.
+class AssetStore {
+ public:
+  /// Opens or makes the folder. Left-overs of broken uploads are removed, and so is every file
+  /// whose bytes do not have the digest that it is named by (a disk that filled up, a power cut):
+  /// that reads the whole store once. Errors: a folder that can't be made, read or written.
+  static Result<std::unique_ptr<AssetStore>> open(std::filesystem::path folder,
+                                                  std::uint64_t quota);
+
+  AssetStore(const AssetStore&) = delete;
+  AssetStore& operator=(const AssetStore&) = delete;
+
+  bool has(const Digest& digest) const { return assets_.contains(digest); }
+  /// Held and promised bytes; never above the quota.
+  std::uint64_t bytes() const { return bytes_; }
+  const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  friend class AssetHolds;
+  friend class AssetUpload;
+
+  struct Asset {
+    std::uint64_t size = 0;
+    std::uint64_t holds = 0;
+    std::list<Digest>::iterator place;  // in by_use_
+  };
+
+  AssetStore(std::filesystem::path folder, std::uint64_t quota);
+  Result<void> scan();
+  void insert(const Digest& digest, std::uint64_t size);
+  bool hold(const Digest& digest);
+  void release(const Digest& digest);
+  /// Makes room for `size` bytes and counts them as used. Refused (LIMIT) when what is held leaves
+  /// too little.
+  tl::expected<void, Refusal> promise(std::uint64_t size);
+  void evict(const Digest& digest);
+  std::filesystem::path file(const Digest& digest) const { return folder_ / to_hex(digest); }
+
+  std::filesystem::path folder_;
+  std::uint64_t quota_ = 0;
+  std::uint64_t bytes_ = 0;
+  std::uint64_t uploads_ = 0;  // so far; names their files
+  std::map<Digest, Asset> assets_;
+  std::list<Digest> by_use_;  // the one unused for longest first
+};
+
+/// The assets that a job or a session needs: they stay in the store as long as this lives. The
+/// store must outlive it.
+class AssetHolds {
+ public:
+  explicit AssetHolds(AssetStore& store) : store_(&store) {}
+  ~AssetHolds() { clear(); }
+  AssetHolds(AssetHolds&& other) noexcept
+      : store_(other.store_), held_(std::exchange(other.held_, {})) {}
+  AssetHolds& operator=(AssetHolds&&) = delete;
+
+  /// False when the store has no such asset.
+  bool add(const Digest& digest);
+  void clear();
+  std::size_t size() const { return held_.size(); }
+
+ private:
+  AssetStore* store_;
+  std::set<Digest> held_;
+};
+
+/// One asset on its way into the store: pieces in order into a temporary file, which is removed
+/// unless the last piece completes the digest.
+class AssetUpload {
+ public:
+  /// Refused: LIMIT for a size above limits::max_asset or no room; INTERNAL when the disk fails.
+  static tl::expected<AssetUpload, Refusal> begin(AssetStore& store, const Digest& digest,
+                                                  std::uint64_t size);
+  ~AssetUpload();
+  AssetUpload(AssetUpload&& other) noexcept;
+  AssetUpload& operator=(AssetUpload&&) = delete;
+
+  const Digest& digest() const { return digest_; }
+  std::uint64_t size() const { return size_; }
+  bool complete() const { return received_ == size_; }
+
+  /// Refused: ORDER when `offset` is not where the last piece ended or the piece goes beyond the
+  /// size; INTERNAL when the disk fails. The upload is of no use then.
+  tl::expected<void, Refusal> add(std::uint64_t offset, std::string_view data);
+  /// Once complete: puts the asset into the store. Refused: DIGEST.
+  tl::expected<void, Refusal> commit();
+
+ private:
+  AssetUpload(AssetStore& store, const Digest& digest, std::uint64_t size);
+
+  AssetStore* store_;
+  Digest digest_;
+  std::uint64_t size_ = 0;
+  std::uint64_t received_ = 0;
+  DigestStream sum_;
+  std::filesystem::path temporary_;
+  int fd_ = -1;
+};
+
+}  // namespace metamer::service

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "metamer/v1/jobs.pb.h"
+
+namespace metamer::service {
+
+/// What happened to a job, numbered from 1. A tile is logged as its index alone: its pixels are in
+/// the film. Of progress and previews only the newest is kept, under its own number, so a log
+/// grows by one small entry a tile and nothing else, however slowly it is read.
+class EventLog {
+ public:
+  struct Entry {
+    std::uint64_t sequence = 0;
+    double time = 0;                              ///< Seconds since the job was submitted.
+    std::uint32_t tile = 0;                       ///< The tile's index, where `event` is null.
+    std::shared_ptr<const v1::JobEvent> event{};  ///< Sequence and time are not filled in.
+  };
+  /// What a reader wants to see.
+  struct Filter {
+    bool tiles = false;
+    bool previews = false;
+  };
+
+  void append(v1::JobEvent event, double time);
+  /// The same for the last event: nothing may follow it.
+  void append_last(v1::JobEvent event, double time);
+  void append_tile(std::uint32_t tile, double time);
+  void replace_progress(v1::JobEvent event, double time);
+  void replace_preview(v1::JobEvent event, double time);
+  /// Forgets tiles, progress and preview; numbers stay as they are.
+  void drop_pictures();
+
+  std::uint64_t last_sequence() const { return last_sequence_; }
+  bool ended() const { return ended_; }
+  /// The first entry numbered `from` or above that passes the filter. Once the log has ended, the
+  /// last event is given to whoever asks for more than there is.
+  std::optional<Entry> next(std::uint64_t from, Filter filter) const;
+
+ private:
+  Entry entry(v1::JobEvent event, double time);
+
+  std::uint64_t last_sequence_ = 0;
+  bool ended_ = false;
+  std::vector<Entry> entries_;  // rising sequence numbers
+  std::optional<Entry> progress_;
+  std::optional<Entry> preview_;
+};
+
+}  // namespace metamer::service

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+
+#include "common/problem.h"
+#include "common/wire/endpoint.h"
+
+namespace metamer::service {
+
+/// Where the daemon listens unless told otherwise: metamerd.sock in $XDG_RUNTIME_DIR, else in
+/// /tmp/metamer-UID, a folder of mode 0700. Errors: that folder belongs to somebody else, or others
+/// may enter it.
+Result<wire::Endpoint> default_endpoint();
+
+/// A folder of its own under the system's folder for temporary files, removed with everything in
+/// it.
+class TemporaryFolder {
+ public:
+  static Result<TemporaryFolder> make();
+  ~TemporaryFolder();
+  TemporaryFolder(TemporaryFolder&& other) noexcept;
+  TemporaryFolder& operator=(TemporaryFolder&&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  explicit TemporaryFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  std::filesystem::path path_;
+};
+
+/// metamer-worker beside the running executable.
+std::filesystem::path default_worker();
+
+}  // namespace metamer::service

@@ -1,0 +1,256 @@
+#include "server/service/job.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "common/scene/limits.h"
+#include "server/service/limits.h"
+#include "server/service/text.h"
+
+namespace metamer::service {
+
+namespace {
+
+double between(Job::Clock::time_point from, Job::Clock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+}  // namespace
+
+Job::Job(std::uint64_t id, v1::Submit submit, AssetHolds assets, std::uint32_t ahead)
+    : id_(id), submit_(std::move(submit)), assets_(std::move(assets)) {
+  append(queued_event(ahead));
+}
+
+double Job::seconds() const { return between(submitted_, Clock::now()); }
+
+v1::JobSummary Job::summary() const {
+  v1::JobSummary summary;
+  summary.set_job_id(id_);
+  summary.set_name(submit_.name());
+  summary.set_state(state_);
+  summary.set_tiles_done(tiles_done_);
+  summary.set_tiles(grid_.size());
+  summary.set_last_sequence(log_.last_sequence());
+  summary.set_age(seconds());
+  summary.set_reason(shortened(reason_, max_reason));
+  return summary;
+}
+
+bool Job::take(Step step) {
+  const auto next = next_state(state_, step);
+  if (!next) return false;
+
+  // Book the time that was spent in the state that is left.
+  const auto now = Clock::now();
+  if (state_ == v1::QUEUED) queued_seconds_ += between(state_since_, now);
+  if (state_ == v1::RUNNING) {
+    running_seconds_ += between(state_since_, now);
+    if (film_.ok()) render_seconds_ += between(render_since_, now);
+  }
+  state_since_ = now;
+  state_ = *next;
+  return true;
+}
+
+bool Job::start() {
+  if (!take(Step::start)) return false;
+  attempt_tiles_ = 0;
+  render_since_ = Clock::now();
+  v1::JobEvent event;
+  event.mutable_started()->set_attempt(losses_ + 1);
+  append(std::move(event));
+  return true;
+}
+
+bool Job::retry(const std::string& reason) {
+  if (losses_ > 0 || !take(Step::retry)) return false;
+  ++losses_;
+  v1::JobEvent event;
+  event.mutable_retrying()->set_reason(reason);
+  append(std::move(event));
+  return true;
+}
+
+bool Job::pause() {
+  if (!take(Step::pause)) return false;
+  v1::JobEvent event;
+  event.mutable_paused();
+  append(std::move(event));
+  return true;
+}
+
+bool Job::resume(std::uint32_t ahead) {
+  if (!take(Step::resume)) return false;
+  append(queued_event(ahead));
+  return true;
+}
+
+bool Job::finish(v1::Timing timing) {
+  if (!take(Step::finish)) return false;
+  timing.set_queued(queued_seconds_);
+  timing.set_render(render_seconds_);
+  timing.set_total(running_seconds_);
+  timing.set_rays(rays_);
+  v1::JobEvent event;
+  *event.mutable_finished()->mutable_timing() = std::move(timing);
+  append_last(std::move(event));
+  return true;
+}
+
+bool Job::fail(v1::Failed failed) {
+  if (!take(Step::fail)) return false;
+  reason_ = failed.reason();
+  v1::JobEvent event;
+  *event.mutable_failed() = std::move(failed);
+  append_last(std::move(event));
+  return true;
+}
+
+bool Job::cancel() {
+  if (!take(Step::cancel)) return false;
+  log_.drop_pictures();
+  film_ = Film();
+  v1::JobEvent event;
+  event.mutable_cancelled();
+  append_last(std::move(event));
+  return true;
+}
+
+Result<void> Job::plan(const v1::Plan& plan) {
+  assert(state_ == v1::RUNNING);
+  // A worker is not trusted: its numbers decide how much memory is taken here.
+  const std::uint64_t pixels = std::uint64_t{plan.width()} * plan.height();
+  if (pixels == 0 || plan.width() > limits::max_side || plan.height() > limits::max_side ||
+      pixels > limits::max_pixels) {
+    return problem("a picture of " + std::to_string(plan.width()) + " x " +
+                   std::to_string(plan.height()) + " pixels");
+  }
+  if (plan.tile_size() < 8 || plan.tile_size() > 256 || plan.tile_size() % 8 != 0) {
+    return problem("tiles of " + std::to_string(plan.tile_size()) + " pixels");
+  }
+  if (planned_) {
+    const bool same =
+        plan.width() == width_ && plan.height() == height_ && plan.tile_size() == tile_size_;
+    return same ? Result<void>() : problem("another picture than the attempt before");
+  }
+
+  planned_ = true;
+  width_ = plan.width();
+  height_ = plan.height();
+  tile_size_ = plan.tile_size();
+  grid_ = TileGrid(width_, height_, tile_size_);
+  v1::JobEvent event;
+  *event.mutable_planned()->mutable_plan() = plan;
+  append(std::move(event));
+  return {};
+}
+
+bool Job::make_film() {
+  assert(planned_);
+  render_since_ = Clock::now();
+  if (film_.ok()) return true;
+  film_ = Film(width_, height_);
+  if (!film_.ok()) return false;
+  preview_ = PreviewSums(width_, height_);
+  done_.assign(grid_.size(), false);
+  return true;
+}
+
+std::vector<std::uint32_t> Job::missing_tiles(std::size_t most) const {
+  std::vector<std::uint32_t> missing;
+  for (std::uint32_t i = 0; i < grid_.size() && missing.size() < most; ++i) {
+    if (!done_[i]) missing.push_back(i);
+  }
+  return missing;
+}
+
+void Job::add_tile(std::uint32_t index, std::uint64_t rays) {
+  assert(state_ == v1::RUNNING && !done_[index]);
+  done_[index] = true;
+  ++tiles_done_;
+  ++attempt_tiles_;
+  rays_ += rays;
+  preview_.add(film_, grid_.rect(index));
+  log_.append_tile(index, seconds());
+
+  const auto now = Clock::now();
+  if (now >= next_progress_ || tiles_done_ == grid_.size()) {
+    next_progress_ = now + progress_interval;
+    append_progress();
+  }
+  if (preview_watchers_ > 0 && now >= next_preview_) {
+    next_preview_ = now + progress_interval;
+    v1::JobEvent event;
+    *event.mutable_preview() = preview_.encode();
+    log_.replace_preview(std::move(event), seconds());
+  }
+  wake();
+}
+
+void Job::append_progress() {
+  v1::JobEvent event;
+  v1::Progress& progress = *event.mutable_progress();
+  progress.set_tiles_done(tiles_done_);
+  progress.set_tiles(grid_.size());
+  progress.set_rays(rays_);
+  const double attempt = between(render_since_, Clock::now());
+  progress.set_seconds(render_seconds_ + attempt);
+  progress.set_seconds_left(attempt * (grid_.size() - tiles_done_) / attempt_tiles_);
+  log_.replace_progress(std::move(event), seconds());
+}
+
+v1::JobEvent Job::event(const EventLog::Entry& entry) const {
+  v1::JobEvent event;
+  if (entry.event) {
+    event = *entry.event;
+  } else {
+    const Rect rect = grid_.rect(entry.tile);
+    v1::Tile& tile = *event.mutable_tile();
+    tile.set_x(rect.x);
+    tile.set_y(rect.y);
+    tile.set_width(rect.width);
+    tile.set_height(rect.height);
+    tile.set_xyz(film_.copy(rect));
+  }
+  event.set_job_id(id_);
+  event.set_sequence(entry.sequence);
+  event.set_time(entry.time);
+  return event;
+}
+
+v1::JobEvent Job::queued_event(std::uint32_t ahead) const {
+  v1::JobEvent event;
+  event.mutable_queued()->set_position(ahead);
+  return event;
+}
+
+void Job::append(v1::JobEvent event) {
+  log_.append(std::move(event), seconds());
+  wake();
+}
+
+void Job::append_last(v1::JobEvent event) {
+  assets_.clear();
+  preview_ = PreviewSums();
+  log_.append_last(std::move(event), seconds());
+  wake();
+}
+
+void Job::wake() {
+  for (const auto& watcher : watchers_) watcher();
+}
+
+Job::Watcher::Watcher(Job& job, bool previews, std::function<void()> wake)
+    : job_(job),
+      previews_(previews),
+      place_(job.watchers_.insert(job.watchers_.end(), std::move(wake))) {
+  if (previews_) ++job_.preview_watchers_;
+}
+
+Job::Watcher::~Watcher() {
+  if (previews_) --job_.preview_watchers_;
+  job_.watchers_.erase(place_);
+}
+
+}  // namespace metamer::service

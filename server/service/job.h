@@ -1,0 +1,129 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <list>
+#include <string>
+#include <vector>
+
+#include "common/problem.h"
+#include "metamer/v1/jobs.pb.h"
+#include "metamer/v1/plan.pb.h"
+#include "server/service/asset_store.h"
+#include "server/service/event_log.h"
+#include "server/service/film.h"
+#include "server/service/job_state.h"
+#include "server/service/preview.h"
+#include "server/service/tiles.h"
+
+namespace metamer::service {
+
+/// A scene to render: its state, its picture so far, and the log of what happened. It knows nothing
+/// of workers and sockets. Each step appends its event and wakes the watchers; a step that the
+/// state does not allow returns false and does nothing.
+class Job {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// The queue holds `ahead` jobs that come first.
+  Job(std::uint64_t id, v1::Submit submit, AssetHolds assets, std::uint32_t ahead);
+  Job(const Job&) = delete;
+  Job& operator=(const Job&) = delete;
+
+  std::uint64_t id() const { return id_; }
+  const v1::Submit& submit() const { return submit_; }
+  v1::JobState state() const { return state_; }
+  bool ended() const { return is_end(state_); }
+  bool planned() const { return planned_; }
+  std::size_t film_bytes() const { return film_.ok() ? film_.bytes() : 0; }
+  v1::JobSummary summary() const;
+
+  bool start();
+  /// The worker was lost: the first time the job is queued again (true), then it has to fail.
+  bool retry(const std::string& reason);
+  bool pause();
+  bool resume(std::uint32_t ahead);
+  /// `timing` as the last worker gives it; what spans several attempts (queued, render, total,
+  /// rays) is filled in here.
+  bool finish(v1::Timing timing);
+  bool fail(v1::Failed failed);
+  /// Drops what was rendered.
+  bool cancel();
+
+  /// Takes the plan of a running job and makes the film. Errors, with the state as it was: numbers
+  /// beyond the limits, another picture than the plan of an earlier attempt had.
+  Result<void> plan(const v1::Plan& plan);
+  /// False when there is no memory for the film of the plan.
+  bool make_film();
+
+  const TileGrid& tiles() const { return grid_; }
+  /// The first `most` tiles that are not done, in rendering order.
+  std::vector<std::uint32_t> missing_tiles(std::size_t most) const;
+  std::uint32_t tiles_done() const { return tiles_done_; }
+  bool tile_done(std::uint32_t index) const { return done_[index]; }
+  Film& film() { return film_; }
+  /// Says that the film now holds tile `index`, which was not done. Adds progress and a preview
+  /// where they are due.
+  void add_tile(std::uint32_t index, std::uint64_t rays);
+
+  /// What a watcher reads. The pixels of a tile are put in from the film.
+  const EventLog& log() const { return log_; }
+  v1::JobEvent event(const EventLog::Entry& entry) const;
+
+  /// Calls `wake` after every event for as long as the handle lives, which must not be longer than
+  /// the job. Previews are made only while somebody wants them.
+  class Watcher {
+   public:
+    Watcher(Job& job, bool previews, std::function<void()> wake);
+    ~Watcher();
+    Watcher(Watcher&&) = delete;
+
+   private:
+    Job& job_;
+    bool previews_;
+    std::list<std::function<void()>>::iterator place_;
+  };
+
+ private:
+  double seconds() const;  // since it was submitted
+  bool take(Step step);
+  void append(v1::JobEvent event);
+  void append_last(v1::JobEvent event);
+  void append_progress();
+  void wake();
+  v1::JobEvent queued_event(std::uint32_t ahead) const;
+
+  std::uint64_t id_;
+  v1::Submit submit_;
+  AssetHolds assets_;
+  v1::JobState state_ = v1::QUEUED;
+  EventLog log_;
+  std::list<std::function<void()>> watchers_;
+  std::size_t preview_watchers_ = 0;
+
+  std::uint32_t losses_ = 0;  // workers lost
+  bool planned_ = false;
+  std::uint32_t width_ = 0;
+  std::uint32_t height_ = 0;
+  std::uint32_t tile_size_ = 0;
+  TileGrid grid_;
+  Film film_;
+  PreviewSums preview_;
+  std::vector<bool> done_;  // by tile
+  std::uint32_t tiles_done_ = 0;
+  std::uint32_t attempt_tiles_ = 0;  // of them, since the last start
+  std::uint64_t rays_ = 0;
+  std::string reason_;  // why it failed
+
+  Clock::time_point submitted_ = Clock::now();
+  Clock::time_point state_since_ = submitted_;
+  Clock::time_point render_since_ = submitted_;
+  Clock::time_point next_progress_ = submitted_;
+  Clock::time_point next_preview_ = submitted_;
+  double queued_seconds_ = 0;
+  double running_seconds_ = 0;
+  double render_seconds_ = 0;  // of earlier attempts
+};
+
+}  // namespace metamer::service

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+
+#include "server/service/job.h"
+#include "server/service/refusal.h"
+
+namespace metamer::service {
+
+/// All jobs, and the order in which the queued ones run: first come, first served. Ended jobs stay
+/// until their number or the bytes of their films are over the bounds, oldest ended first.
+class JobQueue {
+ public:
+  using JobPtr = std::shared_ptr<Job>;
+
+  explicit JobQueue(std::uint64_t keep_bytes) : keep_bytes_(keep_bytes) {}
+
+  /// Queues a job. Refused (LIMIT) while max_live_jobs have not ended.
+  tl::expected<JobPtr, Refusal> submit(v1::Submit submit, AssetHolds assets);
+  /// Null when there is none of that number (any more).
+  JobPtr find(std::uint64_t id) const;
+
+  /// Takes the next queued job out of the line; null when there is none.
+  JobPtr next();
+  /// Puts a retried job in front of all others.
+  void put_first(JobPtr job);
+
+  /// Refused: STATE, or LIMIT when the films of paused jobs would go over the bytes to keep.
+  tl::expected<void, Refusal> cancel(Job& job);
+  tl::expected<void, Refusal> pause(Job& job);
+  tl::expected<void, Refusal> resume(const JobPtr& job);
+  /// Says that `job` has ended, and drops what is too much.
+  void ended(Job& job);
+
+  bool idle() const { return line_.empty(); }
+  std::uint32_t queued() const { return static_cast<std::uint32_t>(line_.size()); }
+  std::uint32_t running() const;
+  v1::JobList list() const;
+
+ private:
+  void leave_line(const Job& job);
+  std::uint64_t paused_bytes() const;
+
+  std::uint64_t keep_bytes_;
+  std::uint64_t last_id_ = 0;
+  std::map<std::uint64_t, JobPtr> jobs_;
+  std::deque<JobPtr> line_;
+  std::deque<std::uint64_t> ended_;  // oldest ended first
+  std::uint64_t ended_bytes_ = 0;
+};
+
+}  // namespace metamer::service

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+
+#include "common/scene/limits.h"
+#include "common/wire/frame.h"
+#include "metamer/v1/session.pb.h"
+
+/// What the service accepts and keeps. Each bound has its reason.
+namespace metamer::service {
+
+/// 1,024 names of 200 bytes with their digests are 240 KiB: Submit stays a control message.
+inline constexpr std::size_t max_assets_per_job = 1024;
+/// Jobs that have not ended. With as many ended ones, a JobList stays a control message:
+/// 512 × (max_job_name + max_reason + 80) bytes = 240 KiB.
+inline constexpr std::size_t max_live_jobs = 256;
+inline constexpr std::size_t max_ended_jobs = 256;
+inline constexpr std::size_t max_job_name = 200;  ///< Bytes; it is for people.
+inline constexpr std::size_t max_reason = 200;    ///< Bytes in a summary; the event has it all.
+/// Connections at a time: each costs a descriptor and 128 KiB of buffers. More than a team has
+/// clients, far fewer than the 1,024 descriptors of a process.
+inline constexpr std::size_t max_sessions = 64;
+/// Watches of one session: each may keep a dropped job's film alive while it reads.
+inline constexpr std::size_t max_watches = 16;
+/// Assets that one session keeps from eviction: 64 full jobs, 2 MiB of digests.
+inline constexpr std::size_t max_held_assets = 65536;
+/// Answers that wait for a slow client; then its requests wait too.
+inline constexpr std::size_t max_unsent_answers = 64;
+/// A connection that says nothing is not kept.
+inline constexpr std::chrono::seconds hello_timeout{10};
+/// After its last answer a session waits this long for the peer to read it and close.
+inline constexpr std::chrono::seconds linger_timeout{2};
+/// Four a second: as fast as a person reads.
+inline constexpr std::chrono::milliseconds progress_interval{250};
+/// The longer side of a preview: 64 Ki pixels take 10 ms to encode.
+inline constexpr std::uint32_t preview_side = 256;
+/// Tiles in one RenderTiles: 14 bytes each at most, 3.5 MB, which a frame holds. Only pictures near
+/// the largest need a second batch.
+inline constexpr std::size_t tiles_per_batch = 250'000;
+
+inline v1::Limits limits_message() {
+  v1::Limits message;
+  message.set_control_frame(wire::max_control_frame);
+  message.set_chunk(wire::max_chunk);
+  message.set_asset(limits::max_asset);
+  message.set_assets_per_job(max_assets_per_job);
+  message.set_queued_jobs(max_live_jobs);
+  message.set_pixels(limits::max_pixels);
+  return message;
+}
+
+}  // namespace metamer::service

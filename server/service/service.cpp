@@ -1,0 +1,43 @@
+#include "server/service/service.h"
+
+namespace metamer::service {
+
+namespace {
+
+ServiceOptions completed(ServiceOptions options) {
+  std::error_code ignored;
+  const auto absolute = std::filesystem::absolute(options.store, ignored);
+  if (!ignored) options.store = absolute;
+  options.worker.command.store = options.store;
+  return options;
+}
+
+}  // namespace
+
+Service::Service(asio::io_context& context, ServiceOptions options)
+    : context_(context),
+      options_(completed(std::move(options))),
+      queue_(options_.keep_bytes),
+      supervisor_(context.get_executor(), options_.worker, queue_),
+      listener_(context.get_executor()) {}
+
+Result<void> Service::start() {
+  auto store = AssetStore::open(options_.store, options_.store_bytes);
+  if (!store) return tl::unexpected(store.error());
+  store_ = *std::move(store);
+  house_ = std::make_unique<House>(
+      House{*store_, queue_, supervisor_, [this] { return listener_.sessions(); }});
+  for (const wire::Endpoint& endpoint : options_.listen) {
+    if (auto opened = listener_.open(endpoint); !opened) return opened;
+  }
+  supervisor_.start();
+  listener_.start(*house_);
+  return {};
+}
+
+void Service::stop() {
+  listener_.stop();
+  supervisor_.stop();
+}
+
+}  // namespace metamer::service

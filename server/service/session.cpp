@@ -1,0 +1,147 @@
+#include "server/service/session.h"
+
+#include <spdlog/spdlog.h>
+
+#include "server/service/limits.h"
+
+namespace metamer::service {
+
+namespace {
+
+constexpr auto never = asio::steady_timer::time_point::max();
+
+v1::Envelope error_envelope(v1::Error::Code code, const std::string& message) {
+  v1::Envelope envelope;
+  envelope.mutable_error()->set_code(code);
+  envelope.mutable_error()->set_message(message);
+  return envelope;
+}
+
+}  // namespace
+
+Session::Session(wire::Socket socket, House& house, std::function<void()> gone)
+    : channel_(std::move(socket), wire::Peer::client),
+      house_(house),
+      gone_(std::move(gone)),
+      watches_([this] { sendable_.cancel(); }),
+      dispatch_(house, watches_),
+      sendable_(channel_.executor(), never),
+      room_(channel_.executor(), never),
+      timeout_(channel_.executor(), never) {}
+
+void Session::start() {
+  timeout_.expires_after(hello_timeout);
+  timeout_.async_wait([self = weak_from_this()](boost::system::error_code cancelled) {
+    const auto session = self.lock();
+    if (session && !cancelled && !session->dispatch_.greeted()) session->close();
+  });
+  run(read_requests());
+  run(write_answers());
+}
+
+void Session::turn_away(const Refusal& refusal) {
+  send(error_envelope(refusal.code, refusal.message));
+  ending_ = true;
+  run(write_answers());
+}
+
+void Session::close() {
+  channel_.close();
+  sendable_.cancel();
+  room_.cancel();
+  timeout_.cancel();
+}
+
+void Session::run(asio::awaitable<void> loop) {
+  ++running_;
+  asio::co_spawn(channel_.executor(), std::move(loop),
+                 [self = shared_from_this()](std::exception_ptr error) {
+                   try {
+                     if (error) std::rethrow_exception(error);
+                   } catch (const std::exception& exception) {
+                     spdlog::error("a session ended: {}", exception.what());
+                     self->close();
+                   }
+                   if (--self->running_ > 0) return;
+                   self->watches_.clear();
+                   self->close();
+                   self->gone_();
+                 });
+}
+
+asio::awaitable<void> Session::read_requests() {
+  while (channel_.is_open() && !ending_) {
+    v1::Envelope request;
+    const auto got = co_await channel_.read(request);
+    if (!got) {
+      if (got.error().kind != wire::ChannelError::Kind::frame) break;
+      // Nothing that follows can be understood: say why and end.
+      send(error_envelope(v1::Error::FRAME, got.error().message));
+      ending_ = true;
+      co_return;
+    }
+    // Welcome says what the workers can do; they say so soon after the start.
+    if (request.has_hello()) co_await house_.supervisor.wait_for_capabilities();
+    handle(std::move(request));
+    while (answers_.size() >= max_unsent_answers && channel_.is_open()) {
+      co_await room_.async_wait(asio::as_tuple(asio::use_awaitable));
+    }
+  }
+  if (!ending_) close();
+}
+
+void Session::handle(v1::Envelope request) {
+  const std::uint64_t id = request.request_id();
+  std::optional<v1::Envelope> answer;
+  try {
+    answer = dispatch_.answer(std::move(request));
+  } catch (const std::exception& exception) {
+    spdlog::error("a request failed: {}", exception.what());
+    answer = error_envelope(v1::Error::INTERNAL, exception.what());
+    answer->set_request_id(id);
+  }
+  // A watch is answered by its events.
+  if (!answer) return sendable_.cancel(), void();
+  ending_ = answer->has_error() && answer->error().code() == v1::Error::VERSION;
+  send(*std::move(answer));
+}
+
+void Session::send(v1::Envelope answer) {
+  answers_.push_back(std::move(answer));
+  sendable_.cancel();
+}
+
+std::optional<v1::Envelope> Session::next_to_send() {
+  if (!answers_.empty()) {
+    std::optional<v1::Envelope> answer = std::move(answers_.front());
+    answers_.pop_front();
+    room_.cancel();
+    return answer;
+  }
+  return ending_ ? std::nullopt : watches_.next();
+}
+
+asio::awaitable<void> Session::write_answers() {
+  while (channel_.is_open()) {
+    const auto message = next_to_send();
+    if (message) {
+      const auto sent = co_await channel_.write(*message);
+      if (!sent) co_return close();
+    } else if (ending_) {
+      break;
+    } else {
+      co_await sendable_.async_wait(asio::as_tuple(asio::use_awaitable));
+    }
+  }
+  if (!channel_.is_open()) co_return;
+
+  // Let the peer read the last answer before the connection goes.
+  timeout_.expires_after(linger_timeout);
+  timeout_.async_wait([self = weak_from_this()](boost::system::error_code cancelled) {
+    const auto session = self.lock();
+    if (session && !cancelled) session->close();
+  });
+  co_await channel_.drain();
+}
+
+}  // namespace metamer::service

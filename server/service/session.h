@@ -1,0 +1,49 @@
+#pragma once
+
+#include <boost/asio.hpp>
+#include <deque>
+#include <functional>
+#include <memory>
+
+#include "common/wire/channel.h"
+#include "server/service/dispatch.h"
+#include "server/service/watches.h"
+
+namespace metamer::service {
+
+/// One client's connection: reads requests, writes answers and events. What waits to be sent is
+/// bounded: at max_unsent_answers answers no further request is read, and events stay in their
+/// job's log until there is room. Whatever a client does ends its own session at worst.
+class Session : public std::enable_shared_from_this<Session> {
+ public:
+  /// `gone` is called once, when the session has ended.
+  Session(wire::Socket socket, House& house, std::function<void()> gone);
+
+  void start();
+  /// Sends one Error and ends.
+  void turn_away(const Refusal& refusal);
+  /// Ends at once.
+  void close();
+
+ private:
+  asio::awaitable<void> read_requests();
+  asio::awaitable<void> write_answers();
+  void run(asio::awaitable<void> loop);
+  void handle(v1::Envelope request);
+  void send(v1::Envelope answer);
+  std::optional<v1::Envelope> next_to_send();
+
+  wire::Channel channel_;
+  House& house_;
+  std::function<void()> gone_;
+  Watches watches_;
+  Dispatch dispatch_;
+  std::deque<v1::Envelope> answers_;
+  bool ending_ = false;          // after the answers that wait, nothing more is sent or read
+  int running_ = 0;              // loops
+  asio::steady_timer sendable_;  // cancelled when there may be something to send
+  asio::steady_timer room_;      // cancelled when an answer has left
+  asio::steady_timer timeout_;   // for the Hello, and for the peer's closing
+};
+
+}  // namespace metamer::service

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <boost/asio.hpp>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "metamer/v1/session.pb.h"
+#include "server/service/job_queue.h"
+#include "server/service/worker_process.h"
+
+namespace metamer::service {
+
+/// Keeps a worker running and gives it the queue's jobs, one at a time. A worker that dies, hangs
+/// or lies costs its job one attempt and nothing else.
+class Supervisor {
+ public:
+  struct Options {
+    WorkerCommand command;
+    std::chrono::milliseconds worker_timeout{5000};   ///< Without a sign of life.
+    std::chrono::milliseconds stall_timeout{120000};  ///< With a job whose work stands still.
+    std::chrono::milliseconds stop_timeout{2000};     ///< From StopJob to its answer.
+  };
+
+  Supervisor(const asio::any_io_executor& executor, Options options, JobQueue& queue);
+
+  /// Starts the first worker.
+  void start();
+  /// Ends the worker and starts no other.
+  void stop();
+
+  /// Gives the worker the next job if it is free. To be called when the queue has grown.
+  void work();
+  /// Says that `job` was cancelled or paused: the worker is stopped if it has it.
+  void interrupt(const Job& job);
+
+  /// What the workers can do; empty until the first one has said so.
+  const v1::Capabilities& capabilities() const { return capabilities_; }
+  /// Waits until they are known or the first worker has failed to start.
+  asio::awaitable<void> wait_for_capabilities();
+  v1::WorkerInfo info() const;
+
+ private:
+  enum class State {
+    down,      // none runs; the restart timer does
+    starting,  // no WorkerReady yet
+    idle,
+    compiling,  // CompileJob is sent
+    rendering,  // RenderTiles is sent
+    stopping,   // StopJob is sent
+    stopped,    // for good
+  };
+  using Clock = std::chrono::steady_clock;
+
+  // The worker's life.
+  void start_worker();
+  void on_message(v1::WorkerEnvelope message);
+  void on_exit(const std::string& reason);
+  void watch();  // sets the timer to the next moment at which something is overdue
+  void check_overdue();
+
+  // What it says. Each is called in the right state only.
+  void on_ready(v1::WorkerReady ready);
+  void on_heartbeat(std::uint64_t work);
+  void on_planned(const v1::Plan& plan);
+  void on_tile(const v1::TileDone& tile);
+  void on_done(v1::Timing timing);
+  void on_failed(v1::Failed failed);
+  void on_stopped();
+
+  /// Asks for the next batch of missing tiles; false when none is missing.
+  bool send_next_tiles();
+  void send_stop();
+  bool copy_tile(const Rect& rect);
+  /// Ends the worker because of what it said or did.
+  void distrust(const std::string& what);
+  void job_is_over();
+  void lose_job(const std::string& reason);
+  void fail_queue(const std::string& reason);
+  bool has_job() const;
+
+  asio::any_io_executor executor_;
+  Options options_;
+  JobQueue& queue_;
+  v1::Capabilities capabilities_;
+  asio::steady_timer capabilities_signal_;
+  bool start_was_tried_ = false;
+
+  State state_ = State::down;
+  std::shared_ptr<WorkerProcess> worker_;
+  JobQueue::JobPtr job_;  // in compiling, rendering and stopping
+  std::uint32_t starts_ = 0;
+  std::uint32_t failed_starts_ = 0;  // in a row
+  std::string last_exit_;
+  std::string sandbox_;
+  asio::steady_timer restart_;
+  asio::steady_timer overdue_;
+  Clock::time_point last_sign_;
+  Clock::time_point last_progress_;
+  Clock::time_point stop_sent_;
+  std::uint64_t last_work_ = 0;
+  std::uint32_t batch_last_ = 0;  // the last tile that was asked for
+  std::size_t batch_missing_ = 0;
+};
+
+}  // namespace metamer::service

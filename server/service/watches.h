@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "metamer/v1/envelope.pb.h"
+#include "server/service/job_queue.h"
+
+namespace metamer::service {
+
+/// The jobs that one session watches. Nothing is queued: each watch remembers the number of the
+/// next event, and reads that from the job's log when there is room to send it.
+class Watches {
+ public:
+  /// `wake` is called when next() may have something.
+  explicit Watches(std::function<void()> wake) : wake_(std::move(wake)) {}
+
+  std::size_t size() const { return watches_.size(); }
+  void add(std::uint64_t request_id, const v1::Watch& request, const JobQueue::JobPtr& job);
+  void clear() { watches_.clear(); }
+
+  /// The next event of one of the watches, in turns; nothing when none has one. A watch ends with
+  /// its job's last event.
+  std::optional<v1::Envelope> next();
+
+ private:
+  struct Watch {
+    std::uint64_t request_id = 0;
+    JobQueue::JobPtr job;
+    std::uint64_t from = 1;
+    EventLog::Filter filter;
+    std::unique_ptr<Job::Watcher> watcher;  // before `job` in destruction
+  };
+
+  std::function<void()> wake_;
+  std::vector<Watch> watches_;
+  std::size_t turn_ = 0;
+};
+
+}  // namespace metamer::service
