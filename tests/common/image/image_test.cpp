@@ -178,10 +178,9 @@ TEST_F(ImageFile, png_rounds_to_the_nearest_of_256) {
 
 TEST_F(ImageFile, png_counts_the_pixels_that_it_clips) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto report = write_image(
-      row_of(
-          {{0, 0, 0}, {1, 1, 1}, {-0.01, 0.5, -0.01}, {1.01, 0.5, 0.5}, {-1, 2, 0}, {nan, 0, 0}}),
-      folder_ / "a.png", false, {});
+  const Image image = row_of(
+      {{0, 0, 0}, {1, 1, 1}, {-0.01, 0.5, -0.01}, {1.01, 0.5, 0.5}, {-1, 2, 0}, {nan, 0, 0}});
+  const auto report = write_image(image, folder_ / "a.png", false, {});
   ASSERT_TRUE(report) << format(report.error());
   EXPECT_EQ(report->negative, 3U) << "the third, the fifth, the one that is not a number";
   EXPECT_EQ(report->above, 2U);
@@ -191,6 +190,14 @@ TEST_F(ImageFile, png_counts_the_pixels_that_it_clips) {
   EXPECT_EQ(back->at(3, 0)[0], 1.0F);
   EXPECT_EQ(back->at(4, 0)[1], 1.0F);
   EXPECT_EQ(back->at(5, 0)[0], 0.0F);
+}
+
+TEST_F(ImageFile, png_counts_no_rounding_of_f32) {
+  const auto report =
+      write_image(row_of({{1 + 5e-7, -5e-7, 0}, {1, 1, 1}}), folder_ / "a.png", false, {});
+  ASSERT_TRUE(report) << format(report.error());
+  EXPECT_EQ(report->negative, 0U);
+  EXPECT_EQ(report->above, 0U);
 }
 
 TEST_F(ImageFile, writes_no_other_formats) {

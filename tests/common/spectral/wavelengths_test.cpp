@@ -52,6 +52,7 @@ TEST(Wavelengths, reach_the_end_in_spite_of_rounding) {
   ASSERT_TRUE(wavelengths);
   EXPECT_EQ(wavelengths->size(), 3001U);
   EXPECT_EQ(wavelengths->nm().back(), 700);
+  EXPECT_EQ(Wavelengths::uniform(0.1, 0.3, 0.1)->nm().back(), 0.3) << "0.1 + 2 × 0.1 is more";
   // A tenth of a millionth of a step below the end still counts, a hundredth of a step does not.
   EXPECT_EQ(Wavelengths::uniform(400, 410 - 1e-7, 1)->size(), 11U);
   EXPECT_EQ(Wavelengths::uniform(400, 409.99, 1)->size(), 10U);
