@@ -44,7 +44,7 @@ cie::Observer to_observer(v1::Observer observer) {
     case v1::Observer_INT_MAX_SENTINEL_DO_NOT_USE_:
       break;
   }
-  assert(!"validate_scene finds observers that do not exist");
+  assert(false && "validate_scene finds observers that do not exist");
   return cie::Observer::cie_1931_2deg;
 }
 

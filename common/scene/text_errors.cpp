@@ -100,6 +100,9 @@ TextError reword(std::string_view message, TextPlace place, std::string_view tex
   if (const auto m = match(message, "Expected double, got: *")) {
     return {place, "expected a number" + found(m->at(0))};
   }
+  if (const auto m = match(message, "Expect a decimal number, got: *")) {
+    return {place, "expected a decimal number" + found(m->at(0))};
+  }
   if (const auto m = match(message, "Expected string, got: *")) {
     return {place, "expected text in quotes" + found(m->at(0))};
   }

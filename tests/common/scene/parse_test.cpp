@@ -79,6 +79,10 @@ TEST(SceneParse, SyntaxErrorsSayWhatWasExpectedAndFound) {
             "s.txtpb:1:24: error: expected a number, found \"wide\"\n"
             "camera { vertical_fov: wide }\n"
             "                       ^");
+  EXPECT_EQ(parse_error("camera { vertical_fov: 0x20 }"),
+            "s.txtpb:1:24: error: expected a decimal number, found \"0x20\"\n"
+            "camera { vertical_fov: 0x20 }\n"
+            "                       ^");
   EXPECT_EQ(parse_error("settings { width: 6.5 }"),
             "s.txtpb:1:19: error: expected a whole number, found \"6.5\"\n"
             "settings { width: 6.5 }\n"
