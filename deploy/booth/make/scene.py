@@ -14,11 +14,11 @@ BALL = 0.125                        # radius
 
 
 def num(x):
-    return f"{round(x, 4) + 0.0:g}"
+    return f"{round(x, 5) + 0.0:g}"
 
 
 def vec(x, y, z):
-    parts = [f"{name}: {num(value)}" for name, value in zip("xyz", (x, y, z)) if round(value, 4)]
+    parts = [f"{name}: {num(value)}" for name, value in zip("xyz", (x, y, z)) if round(value, 5)]
     return "{ " + " ".join(parts) + " }" if parts else "{}"
 
 
@@ -94,19 +94,24 @@ def bleacher():
 
 
 def pair():
-    """The board: a chequer of paint 1 and paint 2 on a backing that leans away from the viewer."""
+    """The board: paint 1 on a backing that leans away from the viewer, chequered with paint 2 half
+    a millimetre above it."""
     columns, rows, cell, lean = 6, 3, 0.13, radians(52)
-    left, y, z, rim, thick = -1.17, 0.03, 0.56, 0.022, 0.0015
-    up = (0, sin(lean), -cos(lean))
-    out = (0, cos(lean), sin(lean))
-    across, tall = cell * columns + 2 * rim, cell * rows + 2 * rim
-    corner = (left - rim, y - rim * up[1] - thick * out[1], z - rim * up[2] - thick * out[2])
-    lines = [quad("board", "wall", corner, (across, 0, 0), [tall * x for x in up])]
+    left, y, z, rim, layer = -1.17, 0.03, 0.56, 0.022, 0.0005
+    up, out = (0, sin(lean), -cos(lean)), (0, cos(lean), sin(lean))
+
+    def sheet(name, paint, column, row, width, height, layers):
+        corner = (left + column, y + row * up[1] + layers * layer * out[1],
+                  z + row * up[2] + layers * layer * out[2])
+        return quad(name, paint, corner, (width, 0, 0), [height * x for x in up])
+
+    across, tall = cell * columns, cell * rows
+    lines = [sheet("board", "wall", -rim, -rim, across + 2 * rim, tall + 2 * rim, 0),
+             sheet("board 1", "paint-1", 0, 0, across, tall, 1)]
     for r in range(rows):
-        for c in range(columns):
-            corner = (left + cell * c, y + cell * r * up[1], z + cell * r * up[2])
-            lines.append(quad(f"board {r + 1}.{c + 1}", f"paint-{1 + (r + c) % 2}", corner,
-                              (cell, 0, 0), [cell * x for x in up]))
+        for c in range(1 - r % 2, columns, 2):
+            lines.append(sheet(f"board 2.{r + 1}.{c + 1}", "paint-2", cell * c, cell * r, cell, cell,
+                               2))
     return lines
 
 
