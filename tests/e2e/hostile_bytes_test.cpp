@@ -100,7 +100,7 @@ class HostileBytes : public testing::Test {
 
 TEST_F(HostileBytes, LengthOfFourGigabytes) {
   RawClient client(daemon);
-  client.send(std::string("\xff\xff\xff\xff", 4) + "and some bytes");
+  client.send(std::string("\xff\xff\xff\xff and some bytes"));
   const auto answer = client.answer();
   ASSERT_TRUE(answer && answer->has_error());
   EXPECT_EQ(answer->error().code(), v1::Error::FRAME);

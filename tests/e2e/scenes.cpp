@@ -23,14 +23,18 @@ object { name: "ball" material: "ball" sphere { center { y: 0.6 } radius: 0.6 } 
 }  // namespace
 
 std::string small_scene() {
-  return std::string(world) + "settings { width: 75 height: 53 spp: 4 }\n";
+  std::string text = world;
+  text += "settings { width: 75 height: 53 spp: 4 }\n";
+  return text;
 }
 
 std::string long_scene() {
-  // Thousands of tiles: pictures in the making can be stopped anywhere.
-  return std::string(world) +
-         "settings { width: 640 height: 480 spp: 128 tile_size: 8\n"
-         "  method { point { from: 380 to: 780 step: 1 } } }\n";
+  // Thousands of tiles: a picture in the making can be stopped anywhere.
+  std::string text = world;
+  text +=
+      "settings { width: 640 height: 480 spp: 32 tile_size: 8\n"
+      "  method { point { from: 380 to: 780 step: 1 } } }\n";
+  return text;
 }
 
 Image read_exr(const std::string& file) {
