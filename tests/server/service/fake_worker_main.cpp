@@ -1,0 +1,283 @@
+// A worker for tests: speaks the worker's protocol without a renderer. The scene asset's bytes are
+// a script, words apart by blanks, that says what it does with the job:
+//   picture W H T      plan a picture of W × H pixels in tiles of T (default 64 48 16)
+//   gate N             after N tiles wait for a byte in the FIFO `gate` beside the store
+//   crash N            abort after N tiles;   exit N: exit with code 3 after N tiles
+//   hang N             after N tiles neither render nor beat any more
+//   stall N            after N tiles beat on, and render no more
+//   deaf               do not answer StopJob
+//   garbage N          after N tiles send bytes that are no frame
+//   stray              send a tile that is none of the job's
+//   early              say JobDone before the last tile
+//   shrink             truncate the shared memory before the first TileDone
+//   fail               answer Failed BAD_INPUT
+//   once               the trouble above comes in the first attempt only
+// A pixel of the picture is (x, y, 1). A file beside the store can spoil the start: `no-start`
+// makes it exit with code 3, `never-ready` keeps it from saying that it is ready.
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "common/wire/blocking.h"
+
+namespace {
+
+using namespace metamer;
+namespace fs = std::filesystem;
+
+constexpr int link = 3;
+constexpr int film = 4;
+
+std::mutex link_mutex;
+
+void send(const v1::WorkerEnvelope& message) {
+  const std::lock_guard lock(link_mutex);
+  if (!wire::write_envelope(link, message)) _exit(0);
+}
+
+std::string hex(const std::string& bytes) {
+  std::string text;
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    text += "0123456789abcdef"[byte / 16];
+    text += "0123456789abcdef"[byte % 16];
+  }
+  return text;
+}
+
+struct Script {
+  std::uint32_t width = 64;
+  std::uint32_t height = 48;
+  std::uint32_t tile = 16;
+  std::map<std::string, std::uint32_t> at;  // a trouble, and after how many tiles it comes
+
+  bool has(const std::string& word) const { return at.contains(word); }
+};
+
+Script parse(const std::string& text) {
+  Script script;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (word == "picture") {
+      words >> script.width >> script.height >> script.tile;
+    } else if (word == "gate" || word == "crash" || word == "exit" || word == "hang" ||
+               word == "stall" || word == "garbage") {
+      words >> script.at[word];
+    } else {
+      script.at[word] = 0;
+    }
+  }
+  return script;
+}
+
+/// Beats four times a second until the process ends; `beating` is false when it shall not.
+struct Heart {
+  std::atomic<bool> beating = true;
+  std::atomic<std::uint64_t> work = 0;
+  void start() {
+    std::thread([this] {
+      while (true) {
+        // A timer of the kernel's: the protocol asks for a beat every quarter of a second.
+        ::poll(nullptr, 0, 50);
+        if (!beating) continue;
+        v1::WorkerEnvelope beat;
+        beat.mutable_heartbeat()->set_work(work);
+        send(beat);
+      }
+    }).detach();
+  }
+};
+
+Heart heart;
+
+class Job {
+ public:
+  Job(std::uint64_t id, Script script, fs::path store)
+      : id_(id), script_(std::move(script)), store_(std::move(store)) {}
+
+  void plan() {
+    v1::WorkerEnvelope message;
+    message.set_job_id(id_);
+    if (script_.has("fail")) {
+      message.mutable_failed()->set_kind(v1::Failed::BAD_INPUT);
+      message.mutable_failed()->set_reason("the script says so");
+      message.mutable_failed()->add_problem()->set_message("it fails");
+    } else {
+      v1::Plan& plan = *message.mutable_planned()->mutable_plan();
+      plan.set_width(script_.width);
+      plan.set_height(script_.height);
+      plan.set_tile_size(script_.tile);
+    }
+    send(message);
+  }
+
+  void render(const v1::RenderTiles& request) {
+    const std::size_t bytes = std::size_t{script_.width} * script_.height * 12;
+    void* memory = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, film, 0);
+    if (memory == MAP_FAILED) std::abort();
+    for (const v1::TileRect& tile : request.tile()) {
+      trouble();
+      stopped_ = stopped_ || stop_waits();
+      if (stopped_) break;
+      paint(static_cast<float*>(memory), tile);
+      if (due("shrink") && ::ftruncate(film, 0) != 0) std::abort();
+      tile_done(tile);
+    }
+    if (!stopped_) trouble();
+    ::munmap(memory, bytes);
+    v1::WorkerEnvelope message;
+    message.set_job_id(id_);
+    if (stopped_) {
+      message.mutable_stopped();
+    } else {
+      message.mutable_done()->mutable_timing()->set_compile(0.25);
+    }
+    send(message);
+  }
+
+ private:
+  bool due(const std::string& word) {
+    const auto found = script_.at.find(word);
+    if (found == script_.at.end() || found->second != done_) return false;
+    // A file remembers that there was an attempt before.
+    const fs::path mark = store_ / ("../mark-" + std::to_string(id_) + "-" + word);
+    if (script_.has("once") && fs::exists(mark)) return false;
+    std::ofstream(mark).put('x');
+    return true;
+  }
+
+  void trouble() {
+    if (due("gate")) wait_for_gate();
+    if (due("crash")) std::abort();
+    if (due("exit")) _exit(3);
+    if (due("hang")) {
+      heart.beating = false;
+      while (true) ::pause();
+    }
+    if (due("stall")) {
+      while (true) ::pause();
+    }
+    if (due("garbage")) {
+      const std::lock_guard lock(link_mutex);
+      const char bytes[] = "\xFF\xFF\xFF\xFFgarbage";
+      if (::write(link, bytes, sizeof bytes) < 0) _exit(0);
+      while (true) ::pause();
+    }
+    if (due("early")) {
+      v1::WorkerEnvelope message;
+      message.set_job_id(id_);
+      message.mutable_done();
+      send(message);
+    }
+    if (due("stray")) {
+      v1::TileRect tile;
+      tile.set_x(1);
+      tile.set_width(script_.tile);
+      tile.set_height(script_.tile);
+      tile_done(tile);
+    }
+  }
+
+  /// True when a StopJob has come that the script does not ignore.
+  bool stop_waits() {
+    pollfd waiting{link, POLLIN, 0};
+    while (::poll(&waiting, 1, 0) == 1) {
+      const auto message = wire::read_envelope(link);
+      if (!message || !*message) _exit(0);
+      if ((*message)->has_stop_job() && !script_.has("deaf")) return true;
+    }
+    return false;
+  }
+
+  /// The test holds the FIFO open and writes a byte when the worker may go on.
+  void wait_for_gate() {
+    const int gate = ::open((store_ / "../gate").c_str(), O_RDONLY | O_CLOEXEC);
+    while (!stopped_) {
+      pollfd waiting[2] = {{gate, POLLIN, 0}, {link, POLLIN, 0}};
+      ::poll(waiting, 2, -1);
+      char byte = 0;
+      if (waiting[0].revents != 0 && ::read(gate, &byte, 1) == 1) break;
+      if (waiting[1].revents != 0) stopped_ = stop_waits();
+    }
+    ::close(gate);
+  }
+
+  void paint(float* pixels, const v1::TileRect& tile) const {
+    for (std::uint32_t y = tile.y(); y < tile.y() + tile.height(); ++y) {
+      for (std::uint32_t x = tile.x(); x < tile.x() + tile.width(); ++x) {
+        float* pixel = pixels + (std::size_t{y} * script_.width + x) * 3;
+        pixel[0] = static_cast<float>(x);
+        pixel[1] = static_cast<float>(y);
+        pixel[2] = 1;
+      }
+    }
+  }
+
+  void tile_done(const v1::TileRect& tile) {
+    ++done_;
+    ++heart.work;
+    v1::WorkerEnvelope message;
+    message.set_job_id(id_);
+    *message.mutable_tile_done()->mutable_tile() = tile;
+    message.mutable_tile_done()->set_rays(10);
+    send(message);
+  }
+
+  std::uint64_t id_;
+  Script script_;
+  fs::path store_;
+  std::uint32_t done_ = 0;  // tiles, in this attempt
+  bool stopped_ = false;
+};
+
+std::string read_file(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+int run(const fs::path& store) {
+  if (fs::exists(store / "../no-start")) return 3;
+  if (!fs::exists(store / "../never-ready")) {
+    v1::WorkerEnvelope ready;
+    ready.mutable_ready()->mutable_capabilities()->add_backend("fake");
+    ready.mutable_ready()->set_sandbox("none: a test");
+    send(ready);
+  }
+  heart.start();
+  std::optional<Job> job;
+  while (true) {
+    const auto message = wire::read_envelope(link);
+    if (!message || !*message) return 0;
+    if ((*message)->has_compile_job()) {
+      const std::string scene = (*message)->compile_job().scene_sha256();
+      job.emplace((*message)->job_id(), parse(read_file(store / hex(scene))), store);
+      job->plan();
+    } else if ((*message)->has_render_tiles() && job) {
+      job->render((*message)->render_tiles());
+    }
+  }
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  for (int i = 1; i + 1 < count; ++i) {
+    if (std::strcmp(arguments[i], "--store") == 0) return run(arguments[i + 1]);
+  }
+  return 2;
+}
