@@ -116,60 +116,57 @@ void Job::compile(const v1::CompileJob& message) {
 }
 
 void Job::render(const v1::RenderTiles& message) {
+  ended_ = false;
   for (const v1::TileRect& tile : message.tile())
     if (!is_sound(tile, plan_)) return send_failure(v1::Failed::SERVER, "a tile outside the plan");
   const MappedFilm film(options_.film_descriptor, plan_);
   if (!film) return send_failure(v1::Failed::SERVER, "no shared memory for the picture");
 
-  // Prepare the method's tables.
-  const auto prepare_start = Clock::now();
-  const std::unique_ptr<Method> method = make_method(plan_, *scene_);
-  timing_.set_prepare(seconds_since(prepare_start));
-  ++work_;
-
-  if (!render_tiles(message, {film.xyz(), plan_.width(), plan_.height()}, *method))
-    return send_stopped();
+  tbb::task_arena arena(static_cast<int>(plan_.threads()));
+  const bool rendered = arena.execute([&] {
+    return prepare() && render_tiles(message, {film.xyz(), plan_.width(), plan_.height()});
+  });
+  if (!rendered) return send_stopped();
   v1::WorkerEnvelope done = envelope();
   *done.mutable_done()->mutable_timing() = timing_;
   send_last(done);
 }
 
-bool Job::render_tiles(const v1::RenderTiles& message, const Film& film, const Method& method) {
-  tbb::task_arena arena(static_cast<int>(plan_.threads()));
-  return arena.execute([&] {
-    // Build the acceleration structure.
-    const auto build_start = Clock::now();
-    const auto geometry = cpu::EmbreeScene::build(*scene_, stopped_);
-    if (!geometry) return false;
-    timing_.set_acceleration(seconds_since(build_start));
-    ++work_;
+/// Makes the method's tables and the acceleration structure. False when stopped.
+bool Job::prepare() {
+  if (geometry_) return true;
+  const auto tables_start = Clock::now();
+  method_ = make_method(plan_, *scene_);
+  timing_.set_prepare(seconds_since(tables_start));
+  ++work_;
 
-    // Let each thread take the next tile, so that they are begun in the daemon's order.
-    const auto start = Clock::now();
-    const cpu::Tracer tracer(*scene_, *geometry, method, plan_);
-    std::atomic<int> next = 0;
-    std::atomic<std::uint64_t> rays = 0;
-    tbb::parallel_for(0u, plan_.threads(), [&](unsigned) {
-      cpu::Tracer::Workspace workspace = tracer.make_workspace();
-      for (int i = next++; i < message.tile_size() && !stopped_; i = next++) {
-        const v1::TileRect& tile = message.tile(i);
-        workspace.rays = 0;
-        tracer.render({tile.x(), tile.y(), tile.width(), tile.height()}, film, workspace, stopped_,
-                      work_);
-        if (stopped_) return;
-        rays += workspace.rays;
-        v1::WorkerEnvelope tile_done = envelope();
-        *tile_done.mutable_tile_done()->mutable_tile() = tile;
-        tile_done.mutable_tile_done()->set_rays(workspace.rays);
-        link_.send(tile_done);
-      }
-    });
-    timing_.set_render(seconds_since(start));
-    timing_.set_rays(rays);
-    timing_.set_total(timing_.compile() + timing_.prepare() + timing_.acceleration() +
-                      timing_.render());
-    return !stopped_;
+  const auto build_start = Clock::now();
+  geometry_ = cpu::EmbreeScene::build(*scene_, stopped_);
+  timing_.set_acceleration(seconds_since(build_start));
+  ++work_;
+  return geometry_.has_value();
+}
+
+/// Lets each thread take the next tile, so that they are begun in the daemon's order. False when
+/// stopped.
+bool Job::render_tiles(const v1::RenderTiles& message, const Film& film) {
+  const cpu::Tracer tracer(*scene_, *geometry_, *method_, plan_);
+  std::atomic<int> next = 0;
+  tbb::parallel_for(0u, plan_.threads(), [&](unsigned) {
+    cpu::Tracer::Workspace workspace = tracer.make_workspace();
+    for (int i = next++; i < message.tile_size() && !stopped_; i = next++) {
+      const v1::TileRect& tile = message.tile(i);
+      workspace.rays = 0;
+      tracer.render({tile.x(), tile.y(), tile.width(), tile.height()}, film, workspace, stopped_,
+                    work_);
+      if (stopped_) return;
+      v1::WorkerEnvelope tile_done = envelope();
+      *tile_done.mutable_tile_done()->mutable_tile() = tile;
+      tile_done.mutable_tile_done()->set_rays(workspace.rays);
+      link_.send(tile_done);
+    }
   });
+  return !stopped_;
 }
 
 v1::WorkerEnvelope Job::envelope() const {

@@ -4,9 +4,11 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "common/problem.h"
 #include "metamer/v1/worker.pb.h"
+#include "server/cpu/embree_scene.h"
 #include "server/film/film.h"
 #include "server/methods/method.h"
 #include "server/scene/render_scene.h"
@@ -34,8 +36,8 @@ class Job {
   /// Parses, compiles and plans; sends JobPlanned, Failed or JobStopped.
   void compile(const v1::CompileJob& message);
 
-  /// Builds what the plan needs, renders the tiles in their order; sends TileDone for each, then
-  /// JobDone, Failed or JobStopped. Only after a JobPlanned.
+  /// Builds what the plan needs (the first time), renders the tiles in their order; sends TileDone
+  /// for each, then JobDone, Failed or JobStopped. Only after a JobPlanned; any number of times.
   void render(const v1::RenderTiles& message);
 
   /// Makes the running step end soon with JobStopped.
@@ -53,7 +55,8 @@ class Job {
   void send_failure(v1::Failed::Kind kind, const std::string& reason);
   v1::WorkerEnvelope envelope() const;
   void send_last(const v1::WorkerEnvelope& message);
-  bool render_tiles(const v1::RenderTiles& message, const Film& film, const Method& method);
+  bool prepare();
+  bool render_tiles(const v1::RenderTiles& message, const Film& film);
 
   std::uint64_t id_;
   const WorkerOptions& options_;
@@ -62,6 +65,8 @@ class Job {
   std::atomic<bool> stopped_ = false;
   std::atomic<bool> ended_ = false;
   std::unique_ptr<RenderScene> scene_;
+  std::unique_ptr<Method> method_;
+  std::optional<cpu::EmbreeScene> geometry_;
   v1::Plan plan_;
   v1::Timing timing_;
 };
