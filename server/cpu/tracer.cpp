@@ -38,7 +38,8 @@ struct Tracer::Packet {
   Float8 throughput = metamer::broadcast(1);  ///< Product of the mirrors' weights.
   std::array<std::uint32_t, 8> pixel{};       ///< Index into Workspace::gathers.
   std::array<std::uint32_t, 8> path{};        ///< Of that pixel's gather.
-  Vec8 point{};                               ///< Where the ray hit, lifted off the surface.
+  Vec8 hit{};                                 ///< Where the ray hit.
+  Vec8 point{};                               ///< The same, lifted off the surface.
 };
 
 Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const Method& method,
@@ -123,7 +124,8 @@ void Tracer::trace(Packet& packet, Workspace& workspace) const {
     if (!any(packet.active)) return;
 
     // Lift the point off its surface, by what f32 may have got wrong and a little more.
-    const Vec8 hit = packet.origin + packet.direction * hits.distance;
+    packet.hit = packet.origin + packet.direction * hits.distance;
+    const Vec8& hit = packet.hit;
     const Float8 size = max(max(abs(hit.x), abs(hit.y)), max(abs(hit.z), hits.distance));
     packet.point = hit + hits.geometric_normal * (size * 1e-5f);
     shade(packet, hits, workspace);
@@ -136,13 +138,13 @@ void Tracer::trace(Packet& packet, Workspace& workspace) const {
 void Tracer::shade(const Packet& packet, const Hits& hits, Workspace& workspace) const {
   const Places places = find_places(packet, hits, workspace);
   for (std::size_t l = 0; l < lights_.size(); ++l) {
-    // Look towards the light.
+    // Look towards the light from the surface itself: the lift would show in a near light.
     const Light& light = lights_[l];
     Vec8 to_light = light.place;
     Float8 length = metamer::broadcast(std::numeric_limits<float>::infinity());
     Float8 weight = packet.throughput;
     if (!light.directional) {
-      const Vec8 way = light.place - packet.point;
+      const Vec8 way = light.place - packet.hit;
       const Float8 squared = dot(way, way);
       length = sqrt(squared);
       to_light = way * (1.0f / length);
