@@ -1,0 +1,240 @@
+// A job by itself, without workers and sockets.
+
+#include "server/service/job.h"
+
+#include <gtest/gtest.h>
+
+#include "server/service/folders.h"
+#include "server/service/job_queue.h"
+#include "server/service/limits.h"
+
+namespace metamer::service {
+
+namespace {
+
+class JobTest : public testing::Test {
+ protected:
+  TemporaryFolder folder_ = TemporaryFolder::make().value();
+  std::unique_ptr<AssetStore> store_ = AssetStore::open(folder_.path() / "store", 1000).value();
+
+  static v1::Plan plan(std::uint32_t width, std::uint32_t height, std::uint32_t tile) {
+    v1::Plan plan;
+    plan.set_width(width);
+    plan.set_height(height);
+    plan.set_tile_size(tile);
+    return plan;
+  }
+  std::shared_ptr<Job> make_job() {
+    return std::make_shared<Job>(7, v1::Submit(), AssetHolds(*store_), 0);
+  }
+  std::shared_ptr<Job> running_job() {
+    auto job = make_job();
+    EXPECT_TRUE(job->start());
+    EXPECT_TRUE(job->plan(plan(32, 16, 16)));
+    EXPECT_TRUE(job->make_film());
+    return job;
+  }
+  static std::vector<v1::JobEvent> read(const Job& job, EventLog::Filter filter,
+                                        std::uint64_t from = 1) {
+    std::vector<v1::JobEvent> events;
+    while (const auto entry = job.log().next(from, filter)) {
+      if (!events.empty() && entry->sequence <= events.back().sequence()) break;
+      events.push_back(job.event(*entry));
+      from = entry->sequence + 1;
+    }
+    return events;
+  }
+};
+
+}  // namespace
+
+TEST_F(JobTest, AStepThatTheStateForbidsChangesNothing) {
+  auto job = make_job();
+  const auto before = job->log().last_sequence();
+  EXPECT_FALSE(job->resume(0));
+  EXPECT_FALSE(job->finish({}));
+  EXPECT_FALSE(job->retry("lost"));
+  EXPECT_EQ(job->state(), v1::QUEUED);
+  EXPECT_EQ(job->log().last_sequence(), before);
+}
+
+TEST_F(JobTest, AWorkerMayBeLostOnceAndNotTwice) {
+  auto job = running_job();
+  EXPECT_TRUE(job->retry("killed by signal 9 (Killed)"));
+  EXPECT_EQ(job->state(), v1::QUEUED);
+  EXPECT_TRUE(job->start());
+  EXPECT_FALSE(job->retry("killed by signal 9 (Killed)"));
+  EXPECT_EQ(job->state(), v1::RUNNING);
+  const auto events = read(*job, {});
+  EXPECT_EQ(events.back().started().attempt(), 2u);
+}
+
+TEST_F(JobTest, PlansBeyondTheLimitsAreRefusedBeforeMemoryIsTaken) {
+  auto job = make_job();
+  job->start();
+  EXPECT_EQ(job->plan(plan(0, 16, 16)).error().message, "a picture of 0 x 16 pixels");
+  EXPECT_EQ(job->plan(plan(16385, 1, 16)).error().message, "a picture of 16385 x 1 pixels");
+  EXPECT_EQ(job->plan(plan(16384, 4097, 16)).error().message, "a picture of 16384 x 4097 pixels");
+  EXPECT_EQ(job->plan(plan(65536, 65536, 16)).error().message, "a picture of 65536 x 65536 pixels");
+  EXPECT_EQ(job->plan(plan(16, 16, 0)).error().message, "tiles of 0 pixels");
+  EXPECT_EQ(job->plan(plan(16, 16, 12)).error().message, "tiles of 12 pixels");
+  EXPECT_EQ(job->plan(plan(16, 16, 264)).error().message, "tiles of 264 pixels");
+  EXPECT_FALSE(job->planned());
+  EXPECT_TRUE(job->plan(plan(16384, 4096, 8)));
+  EXPECT_EQ(job->film_bytes(), 0u);
+}
+
+TEST_F(JobTest, AnotherAttemptMayNotPlanAnotherPicture) {
+  auto job = running_job();
+  job->retry("lost");
+  job->start();
+  EXPECT_EQ(job->plan(plan(32, 32, 16)).error().message, "another picture than the attempt before");
+  EXPECT_TRUE(job->plan(plan(32, 16, 16)));
+}
+
+TEST_F(JobTest, TilesOutliveALostWorkerAndAPause) {
+  auto job = running_job();
+  job->add_tile(0, 5);
+  EXPECT_EQ(job->missing_tiles(10), std::vector<std::uint32_t>{1});
+  job->retry("lost");
+  job->start();
+  ASSERT_TRUE(job->plan(plan(32, 16, 16)));
+  ASSERT_TRUE(job->make_film());
+  EXPECT_EQ(job->missing_tiles(10), std::vector<std::uint32_t>{1});
+  job->pause();
+  job->resume(0);
+  EXPECT_EQ(job->missing_tiles(10), std::vector<std::uint32_t>{1});
+  EXPECT_EQ(job->summary().tiles_done(), 1u);
+}
+
+TEST_F(JobTest, CancellingDropsThePictureAndKeepsTheNumbers) {
+  auto job = running_job();
+  job->add_tile(0, 5);
+  EXPECT_GT(job->film_bytes(), 0u);
+  const auto before = job->log().last_sequence();
+  EXPECT_TRUE(job->cancel());
+  EXPECT_EQ(job->film_bytes(), 0u);
+  const auto events = read(*job, {.tiles = true, .previews = true});
+  EXPECT_EQ(events.size(), 4u);  // queued, started, planned, cancelled
+  EXPECT_TRUE(events.back().has_cancelled());
+  EXPECT_EQ(events.back().sequence(), before + 1);
+}
+
+TEST_F(JobTest, AReaderMayBeginAnywhereAndLeaveTilesOut) {
+  auto job = running_job();
+  job->add_tile(0, 5);
+  job->add_tile(1, 5);
+  job->finish({});
+  EXPECT_EQ(read(*job, {.tiles = true}, 4).front().tile().x(), 0u);
+  for (const auto& event : read(*job, {})) EXPECT_FALSE(event.has_tile());
+  // Who asks for more than there is gets the end, not silence.
+  const auto beyond = read(*job, {.tiles = true}, 1000);
+  ASSERT_EQ(beyond.size(), 1u);
+  EXPECT_TRUE(beyond[0].has_finished());
+}
+
+TEST_F(JobTest, OnlyTheNewestProgressIsKept) {
+  auto job = make_job();
+  job->start();
+  ASSERT_TRUE(job->plan(plan(64, 64, 8)));
+  ASSERT_TRUE(job->make_film());
+  for (std::uint32_t i = 0; i < 64; ++i) job->add_tile(i, 1);
+  int progress = 0;
+  for (const auto& event : read(*job, {.tiles = true})) {
+    if (!event.has_progress()) continue;
+    ++progress;
+    EXPECT_EQ(event.progress().tiles_done(), 64u);
+    EXPECT_EQ(event.progress().rays(), 64u);
+    EXPECT_EQ(event.progress().seconds_left(), 0);
+  }
+  EXPECT_EQ(progress, 1);
+}
+
+TEST_F(JobTest, PreviewsAreMadeOnlyWhileSomebodyWantsThem) {
+  auto job = running_job();
+  job->add_tile(0, 1);
+  EXPECT_EQ(read(*job, {.previews = true}).back().preview().rgb().size(), 0u);
+  int woken = 0;
+  {
+    const Job::Watcher watcher(*job, true, [&] { ++woken; });
+    job->add_tile(1, 1);
+  }
+  EXPECT_EQ(woken, 1);
+  bool seen = false;
+  for (const auto& event : read(*job, {.previews = true})) seen = seen || event.has_preview();
+  EXPECT_TRUE(seen);
+  for (const auto& event : read(*job, {})) EXPECT_FALSE(event.has_preview());
+}
+
+TEST_F(JobTest, TheQueueIsFirstComeFirstServedAndARetriedJobComesBeforeAll) {
+  JobQueue queue(1 << 20);
+  const auto first = queue.submit({}, AssetHolds(*store_)).value();
+  const auto second = queue.submit({}, AssetHolds(*store_)).value();
+  const auto third = queue.submit({}, AssetHolds(*store_)).value();
+  ASSERT_EQ(queue.next(), first);
+  first->start();
+  ASSERT_TRUE(queue.pause(*second));
+  ASSERT_TRUE(queue.resume(second));
+  first->retry("lost");
+  queue.put_first(first);
+  EXPECT_EQ(queue.next(), first);
+  EXPECT_EQ(queue.next(), third);
+  EXPECT_EQ(queue.next(), second);
+  EXPECT_EQ(queue.next(), nullptr);
+}
+
+TEST_F(JobTest, AFullQueueRefusesUntilAJobEnds) {
+  JobQueue queue(1 << 20);
+  for (std::size_t i = 0; i < max_live_jobs; ++i) {
+    ASSERT_TRUE(queue.submit({}, AssetHolds(*store_)));
+  }
+  const auto refused = queue.submit({}, AssetHolds(*store_));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, v1::Error::LIMIT);
+  EXPECT_EQ(refused.error().message, "the queue is full: 256 jobs have not ended");
+  ASSERT_TRUE(queue.cancel(*queue.find(1)));
+  EXPECT_TRUE(queue.submit({}, AssetHolds(*store_)));
+}
+
+TEST_F(JobTest, EndedJobsAreDroppedOldestFirstWhenTheirPicturesTakeTooMuch) {
+  JobQueue queue(13'000);  // two pictures of 32 × 16 × 12 bytes
+  for (std::uint64_t id = 1; id <= 3; ++id) {
+    queue.submit({}, AssetHolds(*store_)).value();
+    const auto job = queue.next();
+    job->start();
+    ASSERT_TRUE(job->plan(plan(32, 16, 16)));
+    ASSERT_TRUE(job->make_film());
+    job->finish({});
+    queue.ended(*job);
+  }
+  EXPECT_EQ(queue.find(1), nullptr);
+  EXPECT_NE(queue.find(2), nullptr);
+  EXPECT_NE(queue.find(3), nullptr);
+}
+
+TEST_F(JobTest, ALongListStaysAControlMessage) {
+  JobQueue queue(1 << 20);
+  v1::Submit submit;
+  submit.set_name(std::string(max_job_name, 'x'));
+  for (std::size_t i = 0; i < max_ended_jobs + 10; ++i) {
+    queue.submit(submit, AssetHolds(*store_)).value();
+    const auto job = queue.next();
+    v1::Failed failed;
+    failed.set_reason(std::string(5000, 'x'));
+    job->fail(failed);
+    queue.ended(*job);
+  }
+  for (std::size_t i = 0; i < max_live_jobs; ++i) queue.submit(submit, AssetHolds(*store_)).value();
+  v1::JobList list = queue.list();
+  EXPECT_EQ(list.job_size(), static_cast<int>(max_ended_jobs + max_live_jobs));
+  for (v1::JobSummary& summary : *list.mutable_job()) {
+    summary.set_reason(std::string(max_reason, 'x'));
+    summary.set_job_id(1ull << 62);
+    summary.set_last_sequence(1ull << 62);
+    summary.set_tiles(1u << 31);
+    summary.set_tiles_done(1u << 31);
+  }
+  EXPECT_LE(list.ByteSizeLong() + 32, wire::max_control_frame);
+}
+
+}  // namespace metamer::service
