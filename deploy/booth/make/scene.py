@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """Writes booth.txtpb: the colour-matching booth. Lengths in metres, y up, the viewer at +z."""
 
-from math import cos, radians, sin
 from pathlib import Path
 
 BOOTH = Path(__file__).parent.parent
@@ -94,24 +93,19 @@ def bleacher():
 
 
 def pair():
-    """The board: paint 1 on a backing that leans away from the viewer, chequered with paint 2 half
-    a millimetre above it."""
-    columns, rows, cell, lean = 6, 3, 0.13, radians(52)
-    left, y, z, rim, layer = -1.17, 0.03, 0.56, 0.022, 0.0005
-    up, out = (0, sin(lean), -cos(lean)), (0, cos(lean), sin(lean))
-
-    def sheet(name, paint, column, row, width, height, layers):
-        corner = (left + column, y + row * up[1] + layers * layer * out[1],
-                  z + row * up[2] + layers * layer * out[2])
-        return quad(name, paint, corner, (width, 0, 0), [height * x for x in up])
-
-    across, tall = cell * columns, cell * rows
-    lines = [sheet("board", "wall", -rim, -rim, across + 2 * rim, tall + 2 * rim, 0),
-             sheet("board 1", "paint-1", 0, 0, across, tall, 1)]
+    """The board: a chequer of paint 1 and paint 2 on a backing that leans away from the viewer. It
+    leans by 3:4, so that the corners are exact and no seam opens between the cells."""
+    columns, rows, cell = 6, 3, 0.13
+    left, y, z, rim, thick = -1.17, 0.0165, 0.56, 0.02, 0.0005
+    up, out = (0, 0.8, -0.6), (0, 0.6, 0.8)
+    across, tall = cell * columns + 2 * rim, cell * rows + 2 * rim
+    corner = (left - rim, y - rim * up[1] - thick * out[1], z - rim * up[2] - thick * out[2])
+    lines = [quad("board", "wall", corner, (across, 0, 0), [tall * x for x in up])]
     for r in range(rows):
-        for c in range(1 - r % 2, columns, 2):
-            lines.append(sheet(f"board 2.{r + 1}.{c + 1}", "paint-2", cell * c, cell * r, cell, cell,
-                               2))
+        for c in range(columns):
+            corner = (left + cell * c, y + cell * r * up[1], z + cell * r * up[2])
+            lines.append(quad(f"board {r + 1}.{c + 1}", f"paint-{1 + (r + c) % 2}", corner,
+                              (cell, 0, 0), [cell * x for x in up]))
     return lines
 
 
