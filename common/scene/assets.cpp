@@ -14,6 +14,9 @@ namespace metamer {
 
 namespace {
 
+// "Did you mean" lists a folder; a scene whose folder is not there at all needs it no more often.
+constexpr std::size_t max_guesses = 10;
+
 /// Collects each file once, in the order in which the scene names them.
 class Collector {
  public:
@@ -35,7 +38,9 @@ class Collector {
     if (!text) return findings_.add(place, "file " + quoted(mesh.file()) + " can't be read");
     const auto buffers = gltf_buffers(*text, mesh.file());
     if (!buffers) return findings_.add(place, buffers.error().message);
-    for (const std::string& buffer : *buffers) add(buffer, place, limits::max_asset);
+    for (const std::string& buffer : *buffers) {
+      add(buffer, place, limits::max_asset, quoted(mesh.file()) + " names a buffer: ");
+    }
   }
 
   tl::expected<std::vector<Asset>, std::vector<Problem>> finish() {
@@ -44,21 +49,23 @@ class Collector {
   }
 
  private:
-  /// The asset if it is new and sound; else null.
-  const Asset* add(const std::string& name, const std::string& field, std::uint64_t limit) {
+  /// The asset if it is new and sound; else null. `prefix` begins the problems' messages.
+  const Asset* add(const std::string& name, const std::string& field, std::uint64_t limit,
+                   const std::string& prefix = {}) {
     if (name.empty() || !seen_.insert(name).second) return nullptr;
-    const auto path = find_in_folder(name, folder_, limit);
+    const bool guess = findings_.size() < max_guesses;
+    const auto path = find_in_folder(name, folder_, limit, guess);
     if (!path) {
-      findings_.add(field, path.error().message);
+      findings_.add(field, prefix + path.error().message);
       return nullptr;
     }
     const auto digest = digest_file(*path, limit);
     if (!digest) {
-      findings_.add(field, "file " + quoted(name) + " " + digest.error().message);
+      findings_.add(field, prefix + "file " + quoted(name) + " " + digest.error().message);
       return nullptr;
     }
     if (digest->size == 0) {
-      findings_.add(field, "file " + quoted(name) + " is empty");
+      findings_.add(field, prefix + "file " + quoted(name) + " is empty");
       return nullptr;
     }
     assets_.push_back({name, field, *path, digest->size, digest->sha256});

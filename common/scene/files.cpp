@@ -94,7 +94,7 @@ Result<std::string> read_file(const fs::path& file, std::uint64_t limit) {
 }
 
 Result<fs::path> find_in_folder(const std::string& name, const fs::path& folder,
-                                std::uint64_t limit) {
+                                std::uint64_t limit, bool guess) {
   const std::string file = "file " + quoted(name) + " ";
   const fs::path relative(name);
   if (name.find('\0') != std::string::npos) return problem(file + "has a NUL in its name");
@@ -109,7 +109,8 @@ Result<fs::path> find_in_folder(const std::string& name, const fs::path& folder,
   if (error) return problem("the scene's folder can't be read: " + error.message());
   const fs::path path = fs::canonical(base / relative, error);
   if (error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory) {
-    return problem(file + "does not exist" + did_you_mean(name, neighbours(name, base)));
+    return problem(file + "does not exist" +
+                   (guess ? did_you_mean(name, neighbours(name, base)) : std::string()));
   }
   if (error) return problem(file + "can't be read: " + error.message());
   if (path == base) return problem(file + "is a folder");

@@ -18,11 +18,11 @@ Result<std::string> read_file(const std::filesystem::path& file, std::uint64_t l
 
 /// The file `name` in `folder`: what it is, once all doubt is out of the way. Errors, as sentences
 /// about `name`: it is absolute or leads out of the folder (also by ".." or a symbolic link), does
-/// not exist (with "did you mean"), is a folder or another thing that is no file, is empty, has
-/// more than `limit` bytes.
+/// not exist (with "did you mean" if `guess`, which lists a folder), is a folder or another thing
+/// that is no file, has more than `limit` bytes.
 Result<std::filesystem::path> find_in_folder(const std::string& name,
                                              const std::filesystem::path& folder,
-                                             std::uint64_t limit);
+                                             std::uint64_t limit, bool guess);
 
 /// Size and SHA-256 of a file, read in pieces.
 struct FileDigest {

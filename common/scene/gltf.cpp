@@ -4,7 +4,6 @@
 #include <charconv>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 namespace metamer {
 
@@ -12,7 +11,14 @@ namespace {
 
 using nlohmann::json;
 
-/// Undoes %20 and the like (RFC 3986, 2.1); nothing when a % is not followed by two digits.
+/// True for "http:…": a letter, then letters, digits, + - . up to a colon (RFC 3986, 3.1).
+bool has_scheme(std::string_view uri) {
+  const std::size_t colon = uri.find_first_of(":/?#");
+  return colon != std::string_view::npos && colon > 0 && uri[colon] == ':';
+}
+
+}  // namespace
+
 std::optional<std::string> percent_decode(std::string_view uri) {
   std::string text;
   for (std::size_t i = 0; i < uri.size(); ++i) {
@@ -32,14 +38,6 @@ std::optional<std::string> percent_decode(std::string_view uri) {
   }
   return text;
 }
-
-/// True for "http:…": a letter, then letters, digits, + - . up to a colon (RFC 3986, 3.1).
-bool has_scheme(std::string_view uri) {
-  const std::size_t colon = uri.find_first_of(":/?#");
-  return colon != std::string_view::npos && colon > 0 && uri[colon] == ':';
-}
-
-}  // namespace
 
 Result<std::vector<std::string>> gltf_buffers(std::string_view text, const std::string& name) {
   const std::string file = "file " + quoted(name) + " ";

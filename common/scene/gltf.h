@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,9 @@ namespace metamer {
 inline constexpr std::size_t max_gltf_text = 16u << 20;
 /// The most buffers of one .gltf; exporters write one.
 inline constexpr std::size_t max_gltf_buffers = 64;
+
+/// Undoes %20 and the like (RFC 3986, 2.1); nothing when a % is not followed by two digits.
+std::optional<std::string> percent_decode(std::string_view uri);
 
 /// The files that hold the buffers of a .gltf named `name`, as names relative to the scene's
 /// folder: "meshes/lamp.gltf" with the URI "lamp%20data.bin" gives "meshes/lamp data.bin". data:

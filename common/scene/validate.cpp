@@ -36,18 +36,20 @@ class Names {
 
   bool contains(const std::string& name) const { return first_.contains(name); }
 
-  /// The end of a sentence about an unknown name. Guesses cost a comparison with every name, so
+  /// The end of a sentence about an unknown name. A guess costs a comparison with every name, so
   /// only the first few unknown names get one.
   std::string guess(const std::string& name) {
-    constexpr int max_guesses = 100;
-    return guesses_++ < max_guesses ? did_you_mean(name, names_) : std::string();
+    constexpr std::size_t max_guesses = 10;
+    if (const auto known = guesses_.find(name); known != guesses_.end()) return known->second;
+    if (guesses_.size() == max_guesses) return {};
+    return guesses_[name] = did_you_mean(name, names_);
   }
 
  private:
   std::string kind_;
   std::map<std::string, std::size_t> first_;
   std::vector<std::string> names_;
-  int guesses_ = 0;
+  std::map<std::string, std::string> guesses_;
 };
 
 /// The number of parts to check: all of them, or as many as a scene may hold.
@@ -79,6 +81,10 @@ Names check_materials(const v1::Scene& scene, Findings& findings) {
     if (material.name().empty()) findings.add(indexed("material", i), "material needs a name");
     names.take(material.name(), i, findings);
     check_material(material, indexed("material", i), findings);
+  }
+  // Those over the limit are known all the same: an object that uses one is not wrong, too.
+  for (int i = static_cast<int>(count); i < scene.material_size(); ++i) {
+    names.take(scene.material(i).name(), static_cast<std::size_t>(i), findings);
   }
   return names;
 }

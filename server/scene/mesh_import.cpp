@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "common/scene/gltf.h"
 #include "common/scene/limits.h"
 
 namespace metamer {
@@ -51,18 +52,21 @@ class AssetSystem : public Assimp::IOSystem {
  public:
   explicit AssetSystem(const AssetReader& assets) : assets_(assets) {}
 
-  bool Exists(const char* name) const override { return assets_(normal(name)).has_value(); }
+  bool Exists(const char* name) const override { return read(name).has_value(); }
   char getOsSeparator() const override { return '/'; }
   Assimp::IOStream* Open(const char* name, const char* mode) override {
     if (std::strchr(mode, 'r') == nullptr) return nullptr;
-    auto bytes = assets_(normal(name));
+    auto bytes = read(name);
     return bytes ? new AssetStream(std::move(*bytes)) : nullptr;
   }
   void Close(Assimp::IOStream* stream) override { delete stream; }
 
  private:
-  static std::string normal(const char* name) {
-    return std::filesystem::path(name).lexically_normal().generic_string();
+  /// A mesh is asked for as the scene writes it, a glTF's buffer as gltf_buffers names it.
+  Result<std::string> read(const std::string& name) const {
+    if (auto bytes = assets_(name)) return bytes;
+    const std::string path = percent_decode(name).value_or(name);
+    return assets_(std::filesystem::path(path).lexically_normal().generic_string());
   }
   const AssetReader& assets_;
 };

@@ -148,8 +148,10 @@ TEST_F(SceneAssets, GltfBuffersMayNotLeaveTheFolder) {
   write("mesh/lamp.gltf",
         R"({"asset": {}, "buffers": [{"uri": "../../outside.ply"}, {"uri": "gone.bin"}]})");
   EXPECT_EQ(names(meshes({"mesh/lamp.gltf"})),
-            Strings({"object[0].mesh.file: file \"../outside.ply\" leads out of the scene's folder",
-                     "object[0].mesh.file: file \"mesh/gone.bin\" does not exist"}));
+            Strings({"object[0].mesh.file: \"mesh/lamp.gltf\" names a buffer: file "
+                     "\"../outside.ply\" leads out of the scene's folder",
+                     "object[0].mesh.file: \"mesh/lamp.gltf\" names a buffer: file "
+                     "\"mesh/gone.bin\" does not exist"}));
 }
 
 TEST_F(SceneAssets, AFolderThatIsNotThereIsSaid) {

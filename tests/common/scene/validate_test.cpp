@@ -129,6 +129,29 @@ TEST(SceneValidate, UnknownMaterialOffersTheNearest) {
             Strings({"object[0]: object needs a material"}));
 }
 
+TEST(SceneValidate, GuessesAreForTheFirstFewUnknownNames) {
+  std::string objects;
+  for (std::size_t i = 0; i < 12; ++i) {
+    const std::string name = "grey" + std::to_string(i % 10) + std::string(i / 10, 'x');
+    const std::string object = "object { material: \"" + name + "\" sphere { radius: 1 } } ";
+    objects += object + object;
+  }
+  const Strings found = findings({.object = objects});
+  ASSERT_EQ(found.size(), 24u);
+  EXPECT_EQ(found[19],
+            "object[19].material: material \"grey9\" is not defined; did you mean \"grey\"?");
+  EXPECT_EQ(found[20], "object[20].material: material \"grey0x\" is not defined");
+}
+
+TEST(SceneValidate, AMaterialOverTheLimitIsNotAlsoUnknown) {
+  std::string materials;
+  for (std::size_t i = 0; i < limits::max_materials; ++i) {
+    materials += "material { name: \"m" + std::to_string(i) + "\" } ";
+  }
+  EXPECT_EQ(findings({.material = materials + "material { name: \"grey\" }"}),
+            Strings({"material[4096]: a scene may have at most 4096 materials (it has 4097)"}));
+}
+
 TEST(SceneValidate, Shapes) {
   const auto shape = [](const std::string& text) {
     return findings({.object = "object { material: \"grey\" " + text + " }"});
