@@ -37,11 +37,11 @@ class Names {
   bool contains(const std::string& name) const { return first_.contains(name); }
 
   /// The end of a sentence about an unknown name. A guess costs a comparison with every name, so
-  /// only the first few unknown names get one.
+  /// only the first few unknown names get one, and no name that is too long to be shown whole.
   std::string guess(const std::string& name) {
-    constexpr std::size_t max_guesses = 10;
+    constexpr std::size_t max_guesses = 10, max_length = 60;
     if (const auto known = guesses_.find(name); known != guesses_.end()) return known->second;
-    if (guesses_.size() == max_guesses) return {};
+    if (guesses_.size() == max_guesses || name.size() > max_length) return {};
     return guesses_[name] = did_you_mean(name, names_);
   }
 

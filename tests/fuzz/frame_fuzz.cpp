@@ -42,7 +42,9 @@ std::size_t drain(wire::FrameDecoder& decoder, Outcome& outcome) {
   std::size_t taken = 0;
   while (true) {
     const bool ready = decoder.missing() == 0;
+    armed = true;
     auto payload = decoder.next();
+    armed = false;
     if (!payload) {
       check(ready, "an error is something to give");
       check(!outcome.error || *outcome.error == payload.error(), "an error stays the same");
@@ -73,9 +75,9 @@ Outcome decode(std::string_view stream, const std::string& cuts, std::size_t lim
     armed = true;
     decoder.feed(piece);
     armed = false;
-    // A string that grows doubles, and up to half of it may be frames already given out.
-    check(largest <= 4 * most_held + 64, "a feed allocates no more than what has come");
     held -= drain(decoder, outcome);
+    // A string that grows doubles, and up to half of it may be frames already given out.
+    check(largest <= 4 * most_held + 64, "nothing larger is allocated than what has come");
     if (outcome.error) break;
     check(decoder.in_frame() == (held > 0), "in_frame() tells whether bytes are held");
   }
