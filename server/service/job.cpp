@@ -179,7 +179,7 @@ void Job::add_tile(std::uint32_t index, std::uint64_t rays) {
     next_progress_ = now + progress_interval;
     append_progress();
   }
-  if (preview_watchers_ > 0 && now >= next_preview_) {
+  if (preview_watchers_ > 0 && (now >= next_preview_ || tiles_done_ == grid_.size())) {
     next_preview_ = now + progress_interval;
     v1::JobEvent event;
     *event.mutable_preview() = preview_.encode();

@@ -118,6 +118,9 @@ void Supervisor::watch() {
 void Supervisor::check_overdue() {
   const auto now = Clock::now();
   if (now >= last_sign_ + options_.worker_timeout) {
+    if (state_ == State::starting) {
+      return distrust("was not ready within " + seconds(options_.worker_timeout));
+    }
     return distrust("stopped answering: no sign of life for " + seconds(options_.worker_timeout));
   }
   const bool busy = state_ == State::compiling || state_ == State::rendering;
@@ -184,7 +187,8 @@ void Supervisor::job_is_over() {
 
 void Supervisor::on_message(v1::WorkerEnvelope message) {
   if (!worker_) return;
-  last_sign_ = Clock::now();
+  // Until it is ready a worker has shown nothing, however it beats.
+  if (state_ != State::starting || message.has_ready()) last_sign_ = Clock::now();
   using Body = v1::WorkerEnvelope;
   switch (message.body_case()) {
     case Body::kReady:
@@ -259,7 +263,7 @@ void Supervisor::on_planned(const v1::Plan& plan) {
 }
 
 bool Supervisor::send_next_tiles() {
-  const auto missing = job_->missing_tiles(tiles_per_batch);
+  const auto missing = job_->missing_tiles(options_.tiles_per_batch);
   if (missing.empty()) return false;
   batch_last_ = missing.back();
   batch_missing_ = missing.size();

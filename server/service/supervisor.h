@@ -8,6 +8,7 @@
 
 #include "metamer/v1/session.pb.h"
 #include "server/service/job_queue.h"
+#include "server/service/limits.h"
 #include "server/service/worker_process.h"
 
 namespace metamer::service {
@@ -21,6 +22,7 @@ class Supervisor {
     std::chrono::milliseconds worker_timeout{5000};   ///< Without a sign of life.
     std::chrono::milliseconds stall_timeout{120000};  ///< With a job whose work stands still.
     std::chrono::milliseconds stop_timeout{2000};     ///< From StopJob to its answer.
+    std::size_t tiles_per_batch = service::tiles_per_batch;  ///< In one RenderTiles.
   };
 
   Supervisor(const asio::any_io_executor& executor, Options options, JobQueue& queue);

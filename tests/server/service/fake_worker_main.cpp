@@ -108,7 +108,12 @@ Heart heart;
 class Job {
  public:
   Job(std::uint64_t id, Script script, fs::path store)
-      : id_(id), script_(std::move(script)), store_(std::move(store)) {}
+      : id_(id), script_(std::move(script)), store_(std::move(store)) {
+    // A file remembers that there was an attempt before.
+    const fs::path mark = store_ / ("../attempted-" + std::to_string(id_));
+    first_attempt_ = !fs::exists(mark);
+    std::ofstream(mark).put('x');
+  }
 
   void plan() {
     v1::WorkerEnvelope message;
@@ -151,14 +156,10 @@ class Job {
   }
 
  private:
-  bool due(const std::string& word) {
+  bool due(const std::string& word) const {
+    if (script_.has("once") && !first_attempt_) return false;
     const auto found = script_.at.find(word);
-    if (found == script_.at.end() || found->second != done_) return false;
-    // A file remembers that there was an attempt before.
-    const fs::path mark = store_ / ("../mark-" + std::to_string(id_) + "-" + word);
-    if (script_.has("once") && fs::exists(mark)) return false;
-    std::ofstream(mark).put('x');
-    return true;
+    return found != script_.at.end() && found->second == done_;
   }
 
   void trouble() {
@@ -241,6 +242,7 @@ class Job {
   std::uint64_t id_;
   Script script_;
   fs::path store_;
+  bool first_attempt_ = true;
   std::uint32_t done_ = 0;  // tiles, in this attempt
   bool stopped_ = false;
 };

@@ -76,4 +76,229 @@ TEST(JobFlow, AJobIsRenderedAndItsWatcherGetsEveryPixelOnce) {
   EXPECT_EQ(client.summary(job).state(), v1::FINISHED);
 }
 
+namespace {
+
+bool ends(const v1::JobEvent& event) {
+  return event.has_finished() || event.has_failed() || event.has_cancelled();
+}
+
+/// Waits until the worker stands at its gate after `tiles` tiles.
+void wait_for_tiles(Client& client, int tiles) {
+  while (tiles > 0) tiles -= client.receive_event().has_tile();
+}
+
+v1::Envelope order(std::uint64_t job, const char* what) {
+  v1::Envelope message;
+  if (what == std::string("cancel")) message.mutable_cancel()->set_job_id(job);
+  if (what == std::string("pause")) message.mutable_pause()->set_job_id(job);
+  if (what == std::string("resume")) message.mutable_resume()->set_job_id(job);
+  return message;
+}
+
+}  // namespace
+
+TEST(JobFlow, CheckOnlyEndsWithThePlan) {
+  Daemon daemon;
+  Client client(daemon.socket());
+  client.hello();
+  client.watch(client.submit("picture 100 70 16", true));
+  const auto planned = client.receive_event_until([](auto& event) { return event.has_planned(); });
+  EXPECT_EQ(planned.planned().plan().width(), 100u);
+  EXPECT_TRUE(client.receive_event().has_finished());
+}
+
+TEST(JobFlow, CancelTakesEffectAtOnceAndTheNextJobRenders) {
+  Daemon daemon;
+  Client client(daemon.socket());
+  client.hello();
+  const auto job = client.submit("gate 3");
+  const auto next = client.submit("picture 64 48 16");
+  client.watch(job);
+  wait_for_tiles(client, 3);
+  const auto asked = std::chrono::steady_clock::now();
+  const v1::Envelope answer = client.ask(order(job, "cancel"));
+  EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::milliseconds(100));
+  EXPECT_EQ(answer.job_summary().state(), v1::CANCELLED);
+  EXPECT_TRUE(client.receive_event_until(ends).has_cancelled());
+  client.watch(next);
+  EXPECT_TRUE(client.receive_event_until(ends).has_finished());
+  EXPECT_EQ(client.ask(order(job, "cancel")).error().message(),
+            "job 1 is cancelled and can't be cancelled");
+}
+
+TEST(JobFlow, AWorkerThatIgnoresStopJobIsEnded) {
+  Daemon daemon([](ServiceOptions& options) {
+    options.worker.stop_timeout = std::chrono::milliseconds(200);
+  });
+  Client client(daemon.socket());
+  client.hello();
+  const auto job = client.submit("gate 3 deaf");
+  const auto next = client.submit("picture 64 48 16");
+  client.watch(job);
+  wait_for_tiles(client, 3);
+  client.ask(order(job, "cancel"));
+  EXPECT_TRUE(client.receive_event_until(ends).has_cancelled());
+  client.watch(next);
+  EXPECT_TRUE(client.receive_event_until(ends).has_finished());
+  v1::Envelope info;
+  info.mutable_get_info();
+  EXPECT_EQ(client.ask(info).info().worker(0).last_exit(), "did not stop within 0.2 s");
+}
+
+TEST(JobFlow, APausedJobKeepsItsTilesAndRendersTheRestWhenResumed) {
+  Daemon daemon;
+  Client client(daemon.socket());
+  client.hello();
+  const auto job = client.submit("picture 100 70 16 gate 9 once");
+  client.watch(job);
+  wait_for_tiles(client, 9);
+  EXPECT_EQ(client.ask(order(job, "pause")).job_summary().state(), v1::PAUSED);
+  EXPECT_EQ(client.ask(order(job, "pause")).error().message(),
+            "job 1 is paused and can't be paused");
+  EXPECT_EQ(client.ask(order(job, "pause")).error().code(), v1::Error::STATE);
+  EXPECT_EQ(client.summary(job).tiles_done(), 9u);
+
+  // Another job renders meanwhile.
+  const auto other = client.submit("picture 64 48 16");
+  Client watcher(daemon.socket());
+  watcher.hello();
+  watcher.watch(other);
+  EXPECT_TRUE(watcher.receive_event_until(ends).has_finished());
+
+  EXPECT_EQ(client.ask(order(job, "resume")).job_summary().tiles_done(), 9u);
+  int tiles = 9;
+  while (true) {
+    const v1::JobEvent event = client.receive_event();
+    tiles += event.has_tile();
+    if (ends(event)) break;
+  }
+  EXPECT_EQ(tiles, 35);
+  watcher.watch(job);
+  Picture picture(100 * 70);
+  while (true) {
+    const v1::JobEvent event = watcher.receive_event();
+    if (event.has_tile()) picture.add(event.tile(), 100);
+    if (event.has_finished()) break;
+  }
+  picture.expect_painted(100);
+}
+
+TEST(JobFlow, AQueuedJobCanBePausedAndCancelled) {
+  Daemon daemon;
+  Client client(daemon.socket());
+  client.hello();
+  const auto first = client.submit("gate 1");
+  const auto second = client.submit("picture 64 48 16");
+  const auto third = client.submit("picture 64 48 16");
+  EXPECT_EQ(client.ask(order(second, "pause")).job_summary().state(), v1::PAUSED);
+  EXPECT_EQ(client.ask(order(third, "cancel")).job_summary().state(), v1::CANCELLED);
+  EXPECT_EQ(client.ask(order(first, "resume")).error().message(),
+            "job 1 is running and can't be resumed");
+  daemon.open_gate();
+  client.watch(first);
+  EXPECT_TRUE(client.receive_event_until(ends).has_finished());
+  EXPECT_EQ(client.summary(second).state(), v1::PAUSED);
+  client.ask(order(second, "resume"));
+  client.watch(second);
+  EXPECT_TRUE(client.receive_event_until(ends).has_finished());
+}
+
+TEST(JobFlow, AJobOutlivesItsClientAndIsWatchedFromANumberOn) {
+  Daemon daemon;
+  std::uint64_t job = 0;
+  std::uint64_t seen = 0;
+  Picture picture(100 * 70);
+  {
+    Client client(daemon.socket());
+    client.hello();
+    job = client.submit("picture 100 70 16 gate 20");
+    client.watch(job);
+    for (int tiles = 0; tiles < 10;) {
+      const v1::JobEvent event = client.receive_event();
+      seen = event.sequence();
+      if (!event.has_tile()) continue;
+      picture.add(event.tile(), 100);
+      ++tiles;
+    }
+  }
+  daemon.open_gate();
+  Client again(daemon.socket());
+  again.hello();
+  again.watch(job, seen + 1);
+  while (true) {
+    const v1::JobEvent event = again.receive_event();
+    EXPECT_GT(event.sequence(), seen);
+    if (event.has_tile()) picture.add(event.tile(), 100);
+    if (event.has_finished()) break;
+  }
+  picture.expect_painted(100);
+}
+
+TEST(JobFlow, AWatcherThatReadsNothingHoldsNobodyUp) {
+  Daemon daemon;
+  Client slow(daemon.socket());
+  slow.hello();
+  // 12 MB of tiles: far more than the sockets' buffers hold.
+  const auto job = slow.submit("picture 1000 1000 64 gate 1");
+  slow.watch(job);
+  Client fast(daemon.socket());
+  fast.hello();
+  fast.watch(job);
+  daemon.open_gate();
+  Picture picture(1000 * 1000);
+  while (true) {
+    const v1::JobEvent event = fast.receive_event();
+    if (event.has_tile()) picture.add(event.tile(), 1000);
+    if (event.has_finished()) break;
+  }
+  picture.expect_painted(1000);
+  fast.ping();
+
+  // And the slow one, when it reads at last, has lost nothing.
+  Picture late(1000 * 1000);
+  while (true) {
+    const v1::JobEvent event = slow.receive_event();
+    if (event.has_tile()) late.add(event.tile(), 1000);
+    if (event.has_finished()) break;
+  }
+  late.expect_painted(1000);
+}
+
+TEST(JobFlow, PreviewsComeToThoseWhoWantThem) {
+  Daemon daemon;
+  Client client(daemon.socket());
+  client.hello();
+  const auto job = client.submit("picture 1000 500 64 gate 0");
+  client.watch(job, 0, false, true);
+  client.ping();  // the watch is there
+  daemon.open_gate();
+  bool seen = false;
+  while (true) {
+    const v1::JobEvent event = client.receive_event();
+    EXPECT_FALSE(event.has_tile());
+    if (event.has_preview()) {
+      seen = true;
+      EXPECT_EQ(event.preview().width(), 250u);
+      EXPECT_EQ(event.preview().height(), 125u);
+      EXPECT_EQ(event.preview().rgb().size(), 250u * 125 * 3);
+    }
+    if (ends(event)) break;
+  }
+  EXPECT_TRUE(seen);
+}
+
+TEST(JobFlow, APictureOfManyTilesIsRenderedInSeveralBatches) {
+  Daemon daemon([](ServiceOptions& options) { options.worker.tiles_per_batch = 10; });
+  Client client(daemon.socket());
+  client.hello();
+  client.watch(client.submit("picture 100 70 16"));
+  Picture picture(100 * 70);
+  while (true) {
+    const v1::JobEvent event = client.receive_event();
+    if (event.has_tile()) picture.add(event.tile(), 100);
+    if (event.has_finished()) break;
+  }
+  picture.expect_painted(100);
+}
+
 }  // namespace metamer::service::test
