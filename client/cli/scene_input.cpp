@@ -101,10 +101,16 @@ Problem SceneInput::locate(Problem problem) const {
     problem.field.clear();
     return problem;
   }
-  // Name a file as the user would: as seen from here, not from the scene's folder.
-  if (!problem.file.empty()) {
+  // A fault inside a file, at a line that is known, is best shown there; name the file as the user
+  // would: as seen from here, not from the scene's folder.
+  if (problem.line > 0) {
     if (find(assets_, problem.file) != nullptr) problem.file = (folder_ / problem.file).string();
     return problem;
+  }
+  // Else show where the scene names the file.
+  if (!problem.file.empty() && problem.file != file_.file()) {
+    problem.message = metamer::quoted(problem.file) + " " + problem.message;
+    problem.file.clear();
   }
   return file_.locate(std::move(problem));
 }

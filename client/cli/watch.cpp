@@ -38,6 +38,7 @@ boost::asio::awaitable<ExitCode> watch_job(Session& session, const WatchOptions&
   request.set_previews(!options.preview.empty());
 
   v1::JobEvent last;
+  bool previewed = false;
   Session::OnEvent on_event = [&](const v1::JobEvent& event) -> Answer<void> {
     last = event;
     if (options.common.json) {
@@ -45,11 +46,17 @@ boost::asio::awaitable<ExitCode> watch_job(Session& session, const WatchOptions&
     } else {
       report.line(describe(event));
     }
-    if (event.has_preview()) return write_preview(event.preview(), options.preview);
-    return {};
+    if (!event.has_preview()) return {};
+    previewed = true;
+    return write_preview(event.preview(), options.preview);
   };
   const Answer<void> watched = co_await session.watch(request, on_event);
   if (!watched) co_return report.session_error(watched.error());
+  if (!options.preview.empty() && !previewed) {
+    Problem note;
+    note.message = "the job sent no preview; metamer fetch gets its picture";
+    report.note(note);
+  }
   co_return end_code(last);
 }
 

@@ -47,65 +47,91 @@ class BadInput : public testing::Test {
 TEST_F(BadInput, NumberThatIsNotFinite) {
   expect_message(
       camera + light + material + "object { material: \"grey\" sphere { radius: nan } }\n",
-      "scene.txtpb:4:45: error: radius must be finite (it is nan)\n"
+      "scene.txtpb:4:36: error: radius must be finite (it is nan)\n"
       "object { material: \"grey\" sphere { radius: nan } }\n"
-      "                                            ^\n");
+      "                                   ^\n");
 }
 
 TEST_F(BadInput, MissingFile) {
   expect_message(camera + light + material +
                      "object { material: \"grey\" mesh { file: \"meshes/bunny.ply\" } }\n",
-                 "");
+                 "scene.txtpb:4:34: error: file \"meshes/bunny.ply\" does not exist\n"
+                 "object { material: \"grey\" mesh { file: \"meshes/bunny.ply\" } }\n"
+                 "                                 ^\n");
 }
 
 TEST_F(BadInput, FileOutsideTheScenesFolder) {
   expect_message(
       camera + light + material + "object { material: \"grey\" mesh { file: \"../bunny.ply\" } }\n",
-      "");
+      "scene.txtpb:4:34: error: file \"../bunny.ply\" leads out of the scene's folder\n"
+      "object { material: \"grey\" mesh { file: \"../bunny.ply\" } }\n"
+      "                                 ^\n");
 }
 
 TEST_F(BadInput, EmptyMesh) {
-  folder.write("empty.obj", "# nothing\n");
+  folder.write("empty.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n# and no face\n");
   expect_message(
       camera + light + material + "object { material: \"grey\" mesh { file: \"empty.obj\" } }\n",
-      "");
+      "scene.txtpb:4:34: error: \"empty.obj\" holds no triangles\n"
+      "object { material: \"grey\" mesh { file: \"empty.obj\" } }\n"
+      "                                 ^\n");
 }
 
 TEST_F(BadInput, MeshThatIsNoMesh) {
   folder.write("noise.ply", "\x01\x02\x03 this is no ply");
   expect_message(
       camera + light + material + "object { material: \"grey\" mesh { file: \"noise.ply\" } }\n",
-      "");
+      "scene.txtpb:4:34: error: \"noise.ply\" can't be read as a mesh: Invalid .ply file: "
+      "Incorrect magic number (expected 'ply' or 'PLY').\n"
+      "object { material: \"grey\" mesh { file: \"noise.ply\" } }\n"
+      "                                 ^\n");
 }
 
 TEST_F(BadInput, DuplicateName) {
-  expect_message(camera + light + material + material + object, "");
+  expect_message(
+      camera + light + material + material + object,
+      "scene.txtpb:4:12: error: material \"grey\" is defined twice (first as material[0])\n"
+      "material { name: \"grey\" diffuse { constant: 0.5 } }\n"
+      "           ^\n");
 }
 
 TEST_F(BadInput, UnknownName) {
-  expect_message(camera + light + material + "object { material: \"gray\" sphere { radius: 1 } }\n",
-                 "");
+  expect_message(
+      camera + light + material + "object { material: \"gray\" sphere { radius: 1 } }\n",
+      "scene.txtpb:4:10: error: material \"gray\" is not defined; did you mean \"grey\"?\n"
+      "object { material: \"gray\" sphere { radius: 1 } }\n"
+      "         ^\n");
 }
 
 TEST_F(BadInput, UnknownField) {
-  expect_message(camera + light + material + "object { material: \"grey\" spehre { radius: 1 } }\n",
-                 "");
+  expect_message(
+      camera + light + material + "object { material: \"grey\" spehre { radius: 1 } }\n",
+      "scene.txtpb:4:27: error: Object has no field \"spehre\"; did you mean \"sphere\"?\n"
+      "object { material: \"grey\" spehre { radius: 1 } }\n"
+      "                          ^\n");
 }
 
 TEST_F(BadInput, SizeOverTheLimit) {
-  expect_message(camera + light + material + object + "settings { width: 20000 }\n", "");
+  expect_message(camera + light + material + object + "settings { width: 20000 }\n",
+                 "scene.txtpb:5:12: error: width must lie in 1..16384 (it is 20000)\n"
+                 "settings { width: 20000 }\n"
+                 "           ^\n");
 }
 
 TEST_F(BadInput, WavelengthsUnsorted) {
   expect_message(camera + light + material + object +
                      "settings { method { point { wavelengths: [400, 500, 450] } } }\n",
-                 "");
+                 "scene.txtpb:5:53: error: wavelengths must rise (450 comes after 500)\n"
+                 "settings { method { point { wavelengths: [400, 500, 450] } } }\n"
+                 "                                                    ^\n");
 }
 
 TEST_F(BadInput, WavelengthsRepeated) {
   expect_message(camera + light + material + object +
                      "settings { method { point { wavelengths: [400, 500, 500] } } }\n",
-                 "");
+                 "scene.txtpb:5:53: error: wavelengths must not repeat (500 is there twice)\n"
+                 "settings { method { point { wavelengths: [400, 500, 500] } } }\n"
+                 "                                                    ^\n");
 }
 
 TEST_F(BadInput, SpectrumFileThatIsNone) {
@@ -113,25 +139,41 @@ TEST_F(BadInput, SpectrumFileThatIsNone) {
   expect_message(camera + light +
                      "material { name: \"grey\" diffuse { file: \"spectra/paint.txt\" } }\n" +
                      object,
-                 "");
+                 "spectra/paint.txt:2:5: error: \"half\" is not a number\n"
+                 "410 half\n"
+                 "    ^\n");
 }
 
 TEST_F(BadInput, ParameterOfAModelOutOfItsRange) {
   // Only the worker knows the models' ranges; its answer is located here.
   expect_message(camera + light +
                      "material {\n  name: \"grey\"\n  blinn_phong { shininess: 0.5 }\n}\n" + object,
-                 "");
+                 "scene.txtpb:5:17: error: shininess must lie in 1 to 1e+06 (it is 0.5); the "
+                 "nearest allowed value is 1\n"
+                 "  blinn_phong { shininess: 0.5 }\n"
+                 "                ^\n");
 }
 
 TEST_F(BadInput, AllProblemsAreTold) {
   expect_message(camera + light + material +
                      "object { material: \"grey\" sphere { radius: -1 } }\n"
                      "object { material: \"red\" sphere { radius: 1 } }\n",
-                 "");
+                 "scene.txtpb:4:36: error: radius must be above 0 (it is -1)\n"
+                 "object { material: \"grey\" sphere { radius: -1 } }\n"
+                 "                                   ^\n"
+                 "scene.txtpb:5:10: error: material \"red\" is not defined\n"
+                 "object { material: \"red\" sphere { radius: 1 } }\n"
+                 "         ^\n");
 }
 
 TEST_F(BadInput, OptionsAreToldByTheirNames) {
-  expect_message(camera + light + light + material + object, "",
+  expect_message(camera + light + light + material + object,
+                 "error: --light: \"D66\" is not a standard illuminant; did you mean \"D65\"?\n"
+                 "scene.txtpb:3:9: error: light \"lamp\" is defined twice (first as light[0])\n"
+                 "light { name: \"lamp\" position { y: 2 } spectrum { standard: \"D65\" } }\n"
+                 "        ^\n"
+                 "error: --samples: step must be above 0 (it is 0)\n"
+                 "error: --spp: spp must lie in 1..1024 (it is 0)\n",
                  {"--spp", "0", "--light", "lamp=D66", "--samples", "400:700:0"});
   expect_message(camera + light + material + object,
                  "error: --light: no light named \"lmap\"; did you mean \"lamp\"?\n",
@@ -157,7 +199,12 @@ TEST_F(BadInput, WavelengthsOutsideTheDataAreNoted) {
                                    object,
                                {"--size", "16x16"});
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_NE(ended.err.find("scene.txtpb:3:26: note: "), std::string::npos) << ended.err;
+  for (const std::string note : {"scene.txtpb:3:25: note: 10 of 61 wavelengths lie below its data "
+                                 "(450 nm): its end value there\n",
+                                 "scene.txtpb:3:25: note: 10 of 61 wavelengths lie above its data "
+                                 "(650 nm): its end value there\n",
+                                 "a.png: note: 32 pixels outside the sRGB gamut, clipped\n"})
+    EXPECT_NE(ended.err.find(note), std::string::npos) << ended.err;
 }
 
 }  // namespace

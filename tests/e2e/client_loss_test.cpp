@@ -42,11 +42,11 @@ TEST(ClientKilledInMidStream, LeavesTheJobRunning) {
 TEST(ClientKilled, TakesItsPrivateServerAlongAndLeavesNothingBehind) {
   const Folder folder;
   const Folder runtime;
-  const std::string scene = folder.write("long.txtpb", long_scene());
+  const std::string scene = folder.write("endless.txtpb", endless_scene());
   ProcessOptions options;
   options.environment = {{"XDG_RUNTIME_DIR", runtime.path()}, {"TMPDIR", runtime.path()}};
   Process client({"metamer", "render", scene, "-o", folder / "never.png"}, options);
-  ASSERT_TRUE(client.line_err(" %, "));
+  ASSERT_TRUE(client.line_err("planned: "));
 
   // Know its daemon and the daemon's worker before it is too late to ask.
   const std::vector<pid_t> daemons = children_of(client.pid());

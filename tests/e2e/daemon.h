@@ -16,6 +16,8 @@ using Json = nlohmann::json;
 class Daemon {
  public:
   enum class Listens { unix_socket, tcp };
+  /// Renders on one thread where nothing else is said: the tests' time is then about the same on
+  /// machines with many.
   explicit Daemon(Listens listens = Listens::unix_socket, std::vector<std::string> options = {});
   ~Daemon();
 
@@ -34,7 +36,7 @@ class Daemon {
 
   /// Submits a scene; gives the job's number as words need it.
   std::string submit(const std::string& scene, std::vector<std::string> overrides = {}) const;
-  pid_t worker_pid() const;
+  pid_t worker_pid() const;  ///< As `metamer info` tells it.
   std::string job_state(const std::string& job) const;
 
  private:

@@ -90,14 +90,5 @@ TEST_F(JsonOutput, CheckGivesThePlanAndRendersNothing) {
   EXPECT_EQ(text.out.rfind("good: 75x53, 4 samples per pixel, ", 0), 0u) << text.out;
 }
 
-TEST_F(JsonOutput, PreviewFileIsKept) {
-  const std::string job = daemon.submit(scene);
-  const std::string file = folder / "preview.png";
-  EXPECT_EQ(daemon.metamer({"watch", job, "--preview", file}).code, 0);
-  const Result<Image> preview = read_image(file);
-  ASSERT_TRUE(preview);
-  expect_a_picture(*preview);
-}
-
 }  // namespace
 }  // namespace metamer::test

@@ -4,8 +4,8 @@
 
 namespace metamer::test {
 
-RunningJob::RunningJob(const Daemon& daemon)
-    : id_(daemon.submit(folder_.write("long.txtpb", long_scene()))),
+RunningJob::RunningJob(const Daemon& daemon, const std::string& scene)
+    : id_(daemon.submit(folder_.write("scene.txtpb", scene))),
       watcher_(daemon.start({"watch", id_, "--json"})) {
   // The first progress may come before the first tile.
   for (Json progress = event("\"progress\""); !progress.is_null(); progress = event("\"progress\""))

@@ -8,10 +8,10 @@
 
 namespace metamer::test {
 
-/// A long job on a daemon, in the middle of it: some of its tiles are done, most are not.
+/// A job on a daemon, in the middle of it: some of its tiles are done, most are not.
 class RunningJob {
  public:
-  explicit RunningJob(const Daemon& daemon);
+  explicit RunningJob(const Daemon& daemon, const std::string& scene = long_scene());
 
   const std::string& id() const { return id_; }
   /// Reads the watched events until one that contains `text` has come; null: none came.

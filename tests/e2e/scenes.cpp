@@ -37,6 +37,12 @@ std::string long_scene() {
   return text;
 }
 
+std::string endless_scene() {
+  std::string text = world;
+  text += "settings { width: 2048 height: 2048 spp: 1024 tile_size: 8 }\n";
+  return text;
+}
+
 Image read_exr(const std::string& file) {
   Result<Image> image = read_image(file);
   EXPECT_TRUE(image) << (image ? "" : format(image.error()));

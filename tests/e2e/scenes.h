@@ -10,8 +10,10 @@ namespace metamer::test {
 
 /// A picture with shadows, a mirror and highlights, small enough for a blink.
 std::string small_scene();
-/// The same, large enough for seconds of rendering: time to do something to it.
+/// The same, large enough for seconds of rendering on one thread: time to do something to it.
 std::string long_scene();
+/// The same, so large that nobody waits for its end.
+std::string endless_scene();
 
 /// The pixels of an .exr; an empty picture and a failure where there is none.
 Image read_exr(const std::string& file);

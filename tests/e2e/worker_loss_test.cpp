@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(Signals, WorkerLoss,
 
 TEST(WorkerLost, TwiceFailsTheJobWithItsReason) {
   const Daemon daemon;
-  RunningJob job(daemon);
+  RunningJob job(daemon, endless_scene());
   ASSERT_EQ(kill(daemon.worker_pid(), SIGKILL), 0);
   ASSERT_FALSE(job.event("\"retrying\"").is_null());
   ASSERT_FALSE(job.event("\"progress\"").is_null());
