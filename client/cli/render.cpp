@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
 #include <boost/asio/this_coro.hpp>
@@ -40,7 +42,9 @@ asio::awaitable<ExitCode> render_on(Session& session, Interrupts& interrupts,
   if (!job_id) co_return report.session_error(job_id.error());
 
   interrupts.on_first([&session, executor, id = *job_id] {
-    std::cerr << "\ncancelling; press Ctrl-C again to leave at once\n";
+    // A terminal shows the bar and ^C on this line.
+    std::cerr << (isatty(STDERR_FILENO) == 1 ? "\n" : "")
+              << "cancelling; press Ctrl-C again to leave at once\n";
     asio::co_spawn(executor, cancel_job(session, id), asio::detached);
   });
   const Answer<Followed> followed = co_await follow(session, *job_id, true);

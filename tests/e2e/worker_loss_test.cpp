@@ -82,7 +82,7 @@ TEST_P(WorkerLoss, IsToldAndMadeGood) {
   EXPECT_EQ(pinger.failed(), 0);
   EXPECT_LT(pinger.slowest(), 1.0);
   RecordProperty("pings", pinger.asked());
-  RecordProperty("slowest_ping_ms", static_cast<int>(pinger.slowest() * 1e3));
+  RecordProperty("slowest_ping_us", static_cast<int>(pinger.slowest() * 1e6));
 
   // Its picture is that of an undisturbed run, and the next job renders.
   const Folder folder;

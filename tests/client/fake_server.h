@@ -1,0 +1,42 @@
+#pragma once
+
+#include <boost/asio.hpp>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "client/session/session.h"
+#include "common/wire/channel.h"
+#include "common/wire/endpoint.h"
+
+namespace metamer::test {
+
+/// A server that does what a test says: each request goes to `answer`, which gives what to send
+/// back, in order, each with the request's number filled in. An answer without a body closes.
+class FakeServer {
+ public:
+  using AnswerTo = std::function<std::vector<v1::Envelope>(const v1::Envelope& request)>;
+
+  explicit FakeServer(AnswerTo answer);
+  ~FakeServer();
+
+  /// Connects to it, does `work`, and runs until both are done.
+  using Work = std::function<boost::asio::awaitable<void>(Session&)>;
+  /// The error of connect(), where it had one.
+  std::optional<SessionError> run(Work work);
+
+ private:
+  boost::asio::awaitable<void> serve();
+
+  AnswerTo answer_;
+  std::string folder_;
+  boost::asio::io_context loop_{1};
+  std::optional<wire::Acceptor> acceptor_;
+};
+
+/// A Welcome with ordinary limits.
+v1::Envelope welcome(std::uint32_t version = 1);
+v1::Envelope error(v1::Error::Code code, const std::string& message);
+
+}  // namespace metamer::test
