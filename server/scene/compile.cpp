@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "common/scene/limits.h"
 #include "server/models/models.h"
 #include "server/scene/mesh_import.h"
 #include "server/scene/placement.h"
@@ -156,7 +157,31 @@ class Compiler {
       case v1::Object::SHAPE_NOT_SET:
         return;
     }
+    check_place(to, "object[" + std::to_string(index) + "]");
     result_.objects.push_back(std::move(to));
+  }
+
+  /// Mesh and transform are each within bounds; what they make together has to be, too.
+  void check_place(const RenderObject& object, const std::string& field) {
+    Eigen::AlignedBox3d box(Eigen::Vector3d::Constant(-1), Eigen::Vector3d::Constant(1));
+    if (object.shape == RenderObject::Shape::mesh) box = bounds(object.mesh);
+    if (box.isEmpty()) return;
+    const Eigen::AlignedBox3d placed = box.transformed(object.to_world);
+    const double reach =
+        std::max(placed.min().cwiseAbs().maxCoeff(), placed.max().cwiseAbs().maxCoeff());
+    if (!(reach <= limits::max_coordinate))
+      add(field, "reaches " + shown(reach) + " from the origin; at most " +
+                     shown(limits::max_coordinate) + " is allowed");
+  }
+
+  /// The box around a mesh in its own space, computed the first time that it is asked for.
+  const Eigen::AlignedBox3d& bounds(std::uint32_t mesh) {
+    while (mesh_bounds_.size() <= mesh) {
+      Eigen::AlignedBox3d& box = mesh_bounds_.emplace_back();
+      for (const auto& p : result_.meshes[mesh_bounds_.size() - 1].positions)
+        box.extend(Eigen::Vector3d(p[0], p[1], p[2]));
+    }
+    return mesh_bounds_[mesh];
   }
 
   std::uint32_t mesh(const std::string& file, const std::string& field) {
@@ -204,6 +229,7 @@ class Compiler {
   std::vector<Problem> problems_;
   SpectrumIndex known_emissions_, known_properties_;
   std::map<std::string, std::uint32_t> known_meshes_, known_materials_;
+  std::vector<Eigen::AlignedBox3d> mesh_bounds_;
 };
 
 }  // namespace

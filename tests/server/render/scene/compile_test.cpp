@@ -149,6 +149,17 @@ TEST(Compile, AGltfReadsItsBufferFromTheAssetsAndFromNowhereElse) {
   EXPECT_FALSE(compile_with(scene("", object), {{"x.gltf", gltf("/etc/passwd")}}));
 }
 
+TEST(Compile, ATransformThatThrowsItsObjectOutOfTheWorldIsAnError) {
+  const auto result =
+      compile_with(scene("",
+                         "object { name: 'o' material: 'm' sphere { center { x: 1e10 } radius: 1 } "
+                         "transform { scale { x: 1e8 y: 1e8 z: 1e8 } } }"),
+                   {});
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error()[0].field, "object[0]");
+  EXPECT_EQ(result.error()[0].message, "reaches 1e+18 from the origin; at most 1e+15 is allowed");
+}
+
 TEST(Compile, EverythingWrongIsReportedTogether) {
   const auto result =
       compile_with(scene("diffuse { file: 'no.sp' } blinn_phong { shininess: 2e6 }",
