@@ -12,10 +12,14 @@ namespace {
 
 namespace asio = boost::asio;
 
-/// A private server lives as long as the frame of this coroutine.
-asio::awaitable<ExitCode> connect_and_work(std::string server, Report& report, const Work& work) {
+/// A private server lives as long as the frame of this coroutine. `listen` begins to handle
+/// interrupts: not while we wait for another machine to accept, where the system's way of dying
+/// is the quicker one.
+asio::awaitable<ExitCode> connect_and_work(std::string server, Report& report, const Work& work,
+                                           const std::function<void()>& listen) {
   std::optional<PrivateServer> own;
   if (server.empty()) {
+    listen();
     Answer<PrivateServer> started = co_await PrivateServer::start();
     if (!started) co_return report.session_error(started.error());
     own.emplace(std::move(*started));
@@ -24,7 +28,11 @@ asio::awaitable<ExitCode> connect_and_work(std::string server, Report& report, c
 
   Answer<std::unique_ptr<Session>> session = co_await Session::connect(server);
   if (!session) co_return report.session_error(session.error());
-  if (own) own->connected();
+  if (own) {
+    own->connected();
+  } else {
+    listen();
+  }
 
   const ExitCode code = co_await work(**session);
   co_return code;
@@ -80,14 +88,16 @@ ExitCode with_server(const CommonOptions& options, Report& report, Work work) {
     return ExitCode::bad_input;
   }
   asio::io_context loop(1);
-  return run(loop, report, connect_and_work(server, report, work));
+  const std::function<void()> ignore = [] {};  // Ctrl-C has nothing to cancel here
+  return run(loop, report, connect_and_work(server, report, work, ignore));
 }
 
 ExitCode with_any_server(const CommonOptions& options, Report& report, InterruptibleWork work) {
   asio::io_context loop(1);
-  Interrupts interrupts(loop);
-  const Work with_interrupts = [&](Session& session) { return work(session, interrupts); };
-  return run(loop, report, connect_and_work(server_name(options), report, with_interrupts));
+  std::optional<Interrupts> interrupts;
+  const std::function<void()> listen = [&] { interrupts.emplace(loop); };
+  const Work with_interrupts = [&](Session& session) { return work(session, *interrupts); };
+  return run(loop, report, connect_and_work(server_name(options), report, with_interrupts, listen));
 }
 
 }  // namespace metamer::cli

@@ -1,6 +1,7 @@
 // The command line's words. This file alone includes CLI11, which takes seconds to compile.
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <iostream>
 
 #include "client/cli/commands.h"
 
@@ -148,7 +149,13 @@ int run(int argc, char** argv) {
     return app.exit(error) == 0 ? static_cast<int>(ExitCode::done)
                                 : static_cast<int>(ExitCode::bad_input);
   }
-  return static_cast<int>(chosen());
+  try {
+    return static_cast<int>(chosen());
+  } catch (const std::exception& error) {
+    // Out of memory, most likely: a picture's size is known only when its plan comes.
+    std::cerr << "error: " << error.what() << '\n';
+    return static_cast<int>(ExitCode::other);
+  }
 }
 
 }  // namespace
