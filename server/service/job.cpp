@@ -89,7 +89,8 @@ bool Job::resume(std::uint32_t ahead) {
 bool Job::finish(v1::Timing timing) {
   if (!take(Step::finish)) return false;
   timing.set_queued(queued_seconds_);
-  // What was timed from the first RenderTiles on includes what the worker did before its first tile.
+  // What was timed from the first RenderTiles on includes what the worker did before its first
+  // tile.
   timing.set_render(std::max(0.0, render_seconds_ - timing.acceleration() - timing.prepare()));
   timing.set_total(running_seconds_);
   timing.set_rays(rays_);

@@ -237,9 +237,9 @@ bool WorkerProcess::read_film(std::uint64_t offset, void* to, std::size_t bytes)
 }
 
 void WorkerProcess::kill(std::string reason) {
-  if (status_) return;
+  // What it did explains more than how it ended, even where it was quicker to end by itself.
   if (kill_reason_.empty()) kill_reason_ = std::move(reason);
-  ::kill(pid_, SIGKILL);
+  if (!status_) ::kill(pid_, SIGKILL);
 }
 
 void WorkerProcess::abandon() {

@@ -140,8 +140,10 @@ class Job {
       stopped_ = stopped_ || stop_waits();
       if (stopped_) break;
       paint(static_cast<float*>(memory), tile);
-      if (due("shrink") && ::ftruncate(film, 0) != 0) std::abort();
+      const bool shrinks = due("shrink");
+      if (shrinks && ::ftruncate(film, 0) != 0) std::abort();
       tile_done(tile);
+      while (shrinks) ::pause();
     }
     if (!stopped_) trouble();
     ::munmap(memory, bytes);

@@ -1,0 +1,185 @@
+// The program itself: its options, its ends and its exit codes.
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "client.h"
+#include "common/digest.h"
+#include "server/service/folders.h"
+
+namespace metamer::service::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A metamerd with the fake worker, stderr in a file, and a lifeline as its descriptor 3.
+class Program {
+ public:
+  explicit Program(const fs::path& folder, std::vector<std::string> options)
+      : log_(folder / "log") {
+    std::vector<std::string> words = {METAMER_BIN "/metamerd", "--worker",
+                                      METAMER_BIN "/metamer-fake-worker"};
+    words.insert(words.end(), options.begin(), options.end());
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    const std::string temporary = "TMPDIR=" + folder.string();
+    char* environment[] = {const_cast<char*>(temporary.c_str()), nullptr};
+
+    int pair[2];
+    EXPECT_EQ(::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair), 0);
+    lifeline_ = ::fcntl(pair[0], F_DUPFD_CLOEXEC, 10);
+    const int theirs = ::fcntl(pair[1], F_DUPFD_CLOEXEC, 10);
+    ::close(pair[0]);
+    ::close(pair[1]);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, 2, log_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_adddup2(&actions, theirs, 3);
+    EXPECT_EQ(posix_spawn(&pid_, arguments[0], &actions, nullptr, arguments.data(), environment),
+              0);
+    posix_spawn_file_actions_destroy(&actions);
+    ::close(theirs);
+  }
+  ~Program() {
+    hang_up();
+    if (pid_ > 0) wait();
+  }
+  Program(const Program&) = delete;
+
+  /// What the daemon says on its lifeline; empty when it ends first.
+  std::string ready() {
+    char line[16];
+    const ssize_t got = ::recv(lifeline_, line, sizeof line, 0);
+    return got > 0 ? std::string(line, static_cast<std::size_t>(got)) : "";
+  }
+  void hang_up() {
+    if (lifeline_ >= 0) ::close(lifeline_);
+    lifeline_ = -1;
+  }
+  void signal(int number) { ::kill(pid_, number); }
+  int wait() {
+    int status = 0;
+    ::waitpid(pid_, &status, 0);
+    pid_ = -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  }
+  std::string log() const {
+    std::ifstream file(log_);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+ private:
+  fs::path log_;
+  int lifeline_ = -1;
+  pid_t pid_ = -1;
+};
+
+class Metamerd : public testing::Test {
+ protected:
+  TemporaryFolder folder_ = TemporaryFolder::make().value();
+  fs::path path() const { return folder_.path() / "socket"; }
+  std::vector<std::string> private_options() const {
+    return {"--listen", "unix:" + path().string(), "--parent-fd", "3"};
+  }
+  /// Everything but the log.
+  std::size_t left_behind() const {
+    std::size_t count = 0;
+    for (const auto& entry : fs::directory_iterator(folder_.path())) {
+      const std::string name = entry.path().filename();
+      count += name != "log" && !name.starts_with("attempted");
+    }
+    return count;
+  }
+  pid_t worker() const {
+    Client client(path());
+    client.hello();
+    v1::Envelope message;
+    message.mutable_get_info();
+    return static_cast<pid_t>(client.ask(message).info().worker(0).pid());
+  }
+};
+
+}  // namespace
+
+TEST_F(Metamerd, SaysReadyAndEndsWithItsParent) {
+  Program program(folder_.path(), private_options());
+  ASSERT_EQ(program.ready(), "ready\n");
+  const pid_t pid = worker();
+  EXPECT_EQ(::kill(pid, 0), 0);
+  program.hang_up();
+  EXPECT_EQ(program.wait(), 0);
+  EXPECT_EQ(::kill(pid, 0), -1);
+  EXPECT_EQ(left_behind(), 0u);
+}
+
+TEST_F(Metamerd, EndsOnSignalsAndLeavesNothingBehind) {
+  for (const int signal : {SIGTERM, SIGINT}) {
+    Program program(folder_.path(), private_options());
+    ASSERT_EQ(program.ready(), "ready\n");
+    Client client(path());
+    client.hello();
+    client.watch(client.submit("stall 3"));
+    for (int tiles = 0; tiles < 3;) tiles += client.receive_event().has_tile();
+    program.signal(signal);
+    EXPECT_EQ(program.wait(), 0);
+    EXPECT_TRUE(client.closed_by_server());
+    EXPECT_EQ(left_behind(), 0u);
+  }
+}
+
+TEST_F(Metamerd, ItsStoreIsKeptWhenItHasOne) {
+  auto options = private_options();
+  options.insert(options.end(), {"--store", (folder_.path() / "store").string()});
+  for (const std::size_t missing : {1u, 0u}) {
+    Program program(folder_.path(), options);
+    ASSERT_EQ(program.ready(), "ready\n");
+    Client client(path());
+    client.hello();
+    v1::Envelope offer;
+    offer.mutable_offer_assets()->add_sha256(std::string(to_bytes(sha256("kept"))));
+    EXPECT_EQ(client.ask(offer).missing_assets().sha256_size(), static_cast<int>(missing));
+    client.upload({"kept"});
+  }
+}
+
+TEST_F(Metamerd, AnAddressInUseIsAFailureWithItsReason) {
+  Program first(folder_.path(), private_options());
+  ASSERT_EQ(first.ready(), "ready\n");
+  const TemporaryFolder other = TemporaryFolder::make().value();
+  Program second(other.path(), private_options());
+  EXPECT_EQ(second.wait(), 1);
+  EXPECT_NE(second.log().find("can't listen on unix:" + path().string() +
+                              ": another server listens there"),
+            std::string::npos)
+      << second.log();
+  Client(path()).hello();
+}
+
+TEST_F(Metamerd, WrongUsageHasItsOwnExitCode) {
+  for (const std::vector<std::string>& options : {std::vector<std::string>{"--no-such-option"},
+                                                  {"--listen", "nonsense"},
+                                                  {"--threads", "1000"},
+                                                  {"--worker-timeout", "-1"},
+                                                  {"--log-level", "loud"}}) {
+    EXPECT_EQ(Program(folder_.path(), options).wait(), 2) << options[0];
+  }
+  Program program(folder_.path(), {"--listen", "nonsense"});
+  EXPECT_EQ(program.wait(), 2);
+  EXPECT_NE(
+      program.log().find("\"nonsense\" is no endpoint: expected unix:PATH, HOST:PORT or PORT"),
+      std::string::npos)
+      << program.log();
+}
+
+}  // namespace metamer::service::test
