@@ -59,7 +59,7 @@ void add_output(CLI::App& command, OutputOptions& options) {
 using Action = std::function<ExitCode()>;
 
 CLI::App& add_command(CLI::App& app, const char* name, const char* meaning, Action& chosen,
-                      Action action) {
+                      const Action& action) {
   CLI::App* command = app.add_subcommand(name, meaning);
   command->callback([&chosen, action] { chosen = action; });
   return *command;
