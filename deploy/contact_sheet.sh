@@ -29,6 +29,6 @@ make_contact_sheet() {
   steps+=("--text:x=$left:y=$((sheet_height - 32)):size=42:font=$font:$grey"
     "The chequer and the two swatches: paints that match in daylight and part under other lights. Three numbers cannot see it.")
 
-  oiiotool "${steps[@]}" -d uint8 -o "$out/contact-sheet.png"
-  oiiotool "$out/contact-sheet.png" --resize 1536x0 -d uint8 -o "$out/contact-sheet-small.png"
+  oiiotool --nosoftwareattrib "${steps[@]}" --eraseattrib ".*" -d uint8 -o "$out/contact-sheet.png"
+  oiiotool --nosoftwareattrib "$out/contact-sheet.png" --resize 1536x0 -d uint8 -o "$out/contact-sheet-small.png"
 }
