@@ -47,6 +47,7 @@ class Job {
   void send_stopped();
 
   std::uint64_t id() const { return id_; }
+  bool stopped() const { return stopped_; }
   /// True once JobDone, Failed or JobStopped has been sent.
   bool ended() const { return ended_; }
 

@@ -71,6 +71,8 @@ void Lane::run() {
     else
       job_->render(message.render_tiles());
     lock.lock();
+    // A stop that came after the step last looked is answered here.
+    if (job_->stopped() && !job_->ended()) job_->send_stopped();
     in_step_ = false;
     changed_.notify_all();
   }
