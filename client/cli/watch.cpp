@@ -41,14 +41,18 @@ boost::asio::awaitable<ExitCode> watch_job(Session& session, const WatchOptions&
   bool previewed = false;
   Session::OnEvent on_event = [&](const v1::JobEvent& event) -> Answer<void> {
     last = event;
+    // The file stands before its line is told.
+    if (event.has_preview()) {
+      Answer<void> written = write_preview(event.preview(), options.preview);
+      if (!written) return written;
+      previewed = true;
+    }
     if (options.common.json) {
       std::cout << to_json(event).dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
     } else {
       report.line(describe(event));
     }
-    if (!event.has_preview()) return {};
-    previewed = true;
-    return write_preview(event.preview(), options.preview);
+    return {};
   };
   const Answer<void> watched = co_await session.watch(request, on_event);
   if (!watched) co_return report.session_error(watched.error());

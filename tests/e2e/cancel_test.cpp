@@ -154,14 +154,16 @@ TEST(CtrlC, TheSecondOneLeavesAtOnce) {
 }
 
 TEST(Pause, KeepsTheTilesAndResumeFinishesThem) {
-  const Daemon daemon;
+  const Daemon daemon(Daemon::Listens::unix_socket, {"--worker-timeout", "60"});
   const Folder folder;
   const std::string scene = folder.write("long.txtpb", long_scene());
   RunningJob job(daemon);
 
+  HeldWorkers held(daemon);
   const Json paused = daemon.json({"pause", job.id()});
   ASSERT_EQ(paused.value("/job/state"_json_pointer, ""), "paused") << paused;
   ASSERT_FALSE(job.event("\"paused\"").is_null());
+  held.release();
   const std::uint32_t kept = paused["job"]["tiles_done"];
   EXPECT_GT(kept, 0u);
   EXPECT_EQ(daemon.job_state(job.id()), "paused");

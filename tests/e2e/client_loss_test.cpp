@@ -10,13 +10,14 @@ namespace metamer::test {
 namespace {
 
 TEST(ClientKilledInMidStream, LeavesTheJobRunning) {
-  const Daemon daemon;
+  const Daemon daemon(Daemon::Listens::unix_socket, {"--worker-timeout", "60"});
   const Folder folder;
   const std::string scene = folder.write("long.txtpb", long_scene());
 
   // Kill a client while tiles stream to it.
   const auto client = daemon.start({"render", scene, "-o", folder / "never.exr"});
   ASSERT_TRUE(client->line_err(" %, "));
+  HeldWorkers held(daemon);
   client->signal(SIGKILL);
   EXPECT_EQ(client->wait().code, 128 + SIGKILL);
   EXPECT_FALSE(std::filesystem::exists(folder / "never.exr"));
@@ -25,7 +26,10 @@ TEST(ClientKilledInMidStream, LeavesTheJobRunning) {
 
   // Pick up from a number: what comes is what a watch from the beginning has from there on.
   const std::uint64_t from = daemon.json({"jobs"})["jobs"][0]["last_sequence"];
-  const Ended rest = daemon.metamer({"watch", job, "--json", "--from", std::to_string(from)});
+  EXPECT_GT(from, 3u);
+  const auto watcher = daemon.start({"watch", job, "--json", "--from", std::to_string(from)});
+  held.release();
+  const Ended rest = watcher->wait();
   EXPECT_EQ(rest.code, 0) << rest.err;
   const Json first = parse_document(rest.out.substr(0, rest.out.find('\n')));
   EXPECT_GE(first["sequence"].get<std::uint64_t>(), from);

@@ -2,6 +2,7 @@
 
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -92,6 +93,16 @@ std::string Daemon::job_state(const std::string& job) const {
   for (const Json& one : answer["jobs"])
     if (std::to_string(one["job_id"].get<std::uint64_t>()) == job) return one["state"];
   return "unknown";
+}
+
+HeldWorkers::HeldWorkers(const Daemon& daemon) : pids_(children_of(daemon.pid())) {
+  EXPECT_FALSE(pids_.empty());
+  for (const pid_t pid : pids_) kill(pid, SIGSTOP);
+}
+
+void HeldWorkers::release() {
+  for (const pid_t pid : pids_) kill(pid, SIGCONT);
+  pids_.clear();
 }
 
 Json parse_document(const std::string& text) {

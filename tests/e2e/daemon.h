@@ -47,6 +47,20 @@ class Daemon {
   std::unique_ptr<Process> process_;
 };
 
+/// The workers of a daemon, stopped in their tracks: a job in the middle stays there however long
+/// the commands that look at it take. The daemon's --worker-timeout has to be longer.
+class HeldWorkers {
+ public:
+  explicit HeldWorkers(const Daemon& daemon);
+  HeldWorkers(const HeldWorkers&) = delete;
+  HeldWorkers& operator=(const HeldWorkers&) = delete;
+  ~HeldWorkers() { release(); }
+  void release();
+
+ private:
+  std::vector<pid_t> pids_;
+};
+
 /// One JSON document and nothing else; a failure where it is none.
 Json parse_document(const std::string& text);
 

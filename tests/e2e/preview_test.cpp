@@ -9,7 +9,7 @@ namespace metamer::test {
 namespace {
 
 TEST(Preview, FileIsKeptUpToDateToTheEnd) {
-  const Daemon daemon;
+  const Daemon daemon(Daemon::Listens::unix_socket, {"--worker-timeout", "60"});
   const Folder folder;
   const std::string file = folder / "preview.png";
   const std::string job = daemon.submit(folder.write("long.txtpb", long_scene()));
@@ -17,10 +17,11 @@ TEST(Preview, FileIsKeptUpToDateToTheEnd) {
 
   // In the middle a part of it is there, and black where nothing is yet.
   ASSERT_TRUE(watcher->line_out("preview 214x160"));
-  ASSERT_TRUE(watcher->line_out("preview 214x160"));
+  HeldWorkers held(daemon);
   const Result<Image> part = read_image(file);
   ASSERT_TRUE(part);
   expect_a_picture(*part);
+  held.release();
 
   // At the end it is whole: darker nowhere, and brighter somewhere.
   EXPECT_EQ(watcher->wait().code, 0);
