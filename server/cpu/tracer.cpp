@@ -1,6 +1,7 @@
 #include "server/cpu/tracer.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace metamer::cpu {
 namespace {
@@ -18,6 +19,8 @@ Vec8 broadcast(const Eigen::Vector3d& v) {
           metamer::broadcast(static_cast<float>(v.y())),
           metamer::broadcast(static_cast<float>(v.z()))};
 }
+
+constexpr float largest = std::numeric_limits<float>::max();
 
 /// A cosine as models want it: 0 behind the surface, and not above 1 by rounding.
 Float8 cosine(Float8 value) { return min(max(value, Float8{}), metamer::broadcast(1)); }
@@ -151,7 +154,8 @@ void Tracer::shade(const Packet& packet, const Hits& hits, Workspace& workspace)
       if (light.reference_squared > 0) weight *= light.reference_squared / squared;
     }
     const Float8 n_dot_l = dot(hits.normal, to_light);
-    const Int8 facing = packet.active & (n_dot_l > 0.0f);
+    // Closer to a light than f32 can say, its weight is infinite: such a point has no colour.
+    const Int8 facing = packet.active & (n_dot_l > 0.0f) & (weight <= largest);
     if (!any(facing)) continue;
     workspace.rays += static_cast<unsigned>(count(facing));
     const Int8 lit = geometry_.visible(packet.point, to_light, length, facing);

@@ -73,6 +73,17 @@ TEST(Tracer, APointLightFallsWithTheSquareOfItsDistanceOnlyWhenAskedTo) {
   EXPECT_NEAR(y("position { z: 4 } reference_distance: 1"), 0.5 / 16, 1e-3);
 }
 
+TEST(Tracer, ALightOnTheSurfaceItselfMakesNoInfinity) {
+  // The middle of the one pixel lies exactly at the origin, and its distance squared underflows.
+  for (const char* place : {"0", "1e-22", "1e-19", "1e-10"}) {
+    std::string scene = card(std::string("position { z: ") + place + " } reference_distance: 1");
+    scene.replace(scene.find("settings"), std::string::npos,
+                  "settings { width: 1 height: 1 spp: 1 }");
+    for (float value : test::render(scene).xyz)
+      ASSERT_TRUE(std::isfinite(value) && value >= 0) << place;
+  }
+}
+
 TEST(Tracer, ALightBehindTheCardGivesNothing) {
   EXPECT_EQ(test::render(card("position { z: -2 }")).at(4, 4)[1], 0);
   EXPECT_EQ(test::render(card("direction { z: 1 }")).at(4, 4)[1], 0);
