@@ -1,6 +1,10 @@
 #include "client/cli/output.h"
 
+#include <unistd.h>
+
 #include <google/protobuf/text_format.h>
+#include <cerrno>
+#include <cstring>
 
 #include <cctype>
 #include <filesystem>
@@ -25,10 +29,13 @@ std::string objection(const std::string& file) {
   const std::string extension = lower_extension(file);
   if (extension != ".png" && extension != ".exr")
     return "\"" + file + "\" ends neither in .png nor in .exr";
-  const fs::path folder = fs::path(file).parent_path();
   std::error_code error;
+  if (fs::is_directory(file, error)) return "\"" + file + "\" is a folder";
+  const fs::path folder = fs::path(file).parent_path();
   if (!folder.empty() && !fs::is_directory(folder, error))
     return "there is no folder \"" + folder.string() + "\"";
+  if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
+    return "the folder of \"" + file + "\" can't be written: " + std::strerror(errno);
   return {};
 }
 

@@ -24,6 +24,10 @@ using Kind = SessionError::Kind;
 using Inbox = asio::experimental::channel<void(error_code, v1::Envelope)>;
 constexpr std::size_t inbox_size = 16;
 
+/// A server may wait 5 s for its first worker before it says Welcome; on a loaded machine twice
+/// that.
+constexpr std::chrono::seconds welcome_timeout{15};
+
 constexpr auto as_tuple = asio::as_tuple(asio::use_awaitable);
 
 tl::unexpected<SessionError> refused(const v1::Error& error) {
@@ -156,7 +160,14 @@ asio::awaitable<Answer<std::unique_ptr<Session>>> Session::connect(std::string s
   v1::Envelope request;
   request.mutable_hello()->set_protocol_version(wire::protocol_version);
   request.mutable_hello()->set_client(std::string("metamer ") + METAMER_VERSION);
+  asio::steady_timer patience(executor, welcome_timeout);
+  patience.async_wait([state](error_code cancelled) {
+    if (!cancelled) state->lose("it did not answer the handshake");
+  });
   Answer<v1::Envelope> answer = co_await session->ask(std::move(request));
+  patience.cancel();
+  // Who accepts and says nothing is no server.
+  if (!answer && answer.error().kind == Kind::disconnected) answer.error().kind = Kind::no_server;
   if (!answer) co_return tl::unexpected<SessionError>(std::move(answer.error()));
   if (!answer->has_welcome()) co_return unexpected_answer();
   state->welcome = std::move(*answer->mutable_welcome());

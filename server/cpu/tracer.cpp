@@ -20,6 +20,8 @@ Vec8 broadcast(const Eigen::Vector3d& v) {
           metamer::broadcast(static_cast<float>(v.z()))};
 }
 
+/// Shadow rays end a little before the light, so that a surface in which it lies does not hide it.
+constexpr float short_of_light = 0.9999f;
 constexpr float largest = std::numeric_limits<float>::max();
 
 /// A cosine as models want it: 0 behind the surface, and not above 1 by rounding.
@@ -149,8 +151,9 @@ void Tracer::shade(const Packet& packet, const Hits& hits, Workspace& workspace)
     if (!light.directional) {
       const Vec8 way = light.place - packet.hit;
       const Float8 squared = dot(way, way);
-      length = sqrt(squared);
-      to_light = way * (1.0f / length);
+      const Float8 distance = sqrt(squared);
+      to_light = way * (1.0f / distance);
+      length = distance * short_of_light;
       if (light.reference_squared > 0) weight *= light.reference_squared / squared;
     }
     const Float8 n_dot_l = dot(hits.normal, to_light);

@@ -40,10 +40,22 @@ void notice_gaps(const Spectrum& spectrum, const std::string& field, Outside out
                   outside == Outside::zero ? "0 there" : "its end value there");
     notice->set_message(text);
   };
-  // A constant is written as one sample and holds everywhere.
-  if (spectrum.nm.size() == 1 && outside == Outside::hold) return;
   say(resampled.below, "below", spectrum.nm.front());
   say(resampled.above, "above", spectrum.nm.back());
+}
+
+/// Says where uniform wavelengths do not come to the end that was asked for.
+void notice_short_end(const v1::Method& method, const Wavelengths& wavelengths, v1::Plan& plan) {
+  const double last = wavelengths.nm().back();
+  if (!method.has_point() || method.point().wavelengths_size() > 0 || last == method.point().to())
+    return;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "the last wavelength is %g nm: %g nm is no whole number of steps away", last,
+                method.point().to());
+  v1::Notice* notice = plan.add_notice();
+  notice->set_field("settings.method.point");
+  notice->set_message(text);
 }
 
 }  // namespace
@@ -77,6 +89,7 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
     notice_gaps(scene.emissions[i], scene.emission_fields[i], Outside::zero, wavelengths, plan);
   for (std::size_t i = 0; i < scene.properties.size(); ++i)
     notice_gaps(scene.properties[i], scene.property_fields[i], Outside::hold, wavelengths, plan);
+  notice_short_end(settings.method(), wavelengths, plan);
   notice_dark_lights(scene, settings, wavelengths, plan);
   return plan;
 }

@@ -148,6 +148,7 @@ class Compiler {
         break;
       case v1::Object::kQuad:
         to.mesh = quad(object.quad());
+        to.to_world.translate(to_vector(object.quad().corner()));
         break;
       case v1::Object::kSphere:
         to.shape = RenderObject::Shape::sphere;
@@ -198,12 +199,11 @@ class Compiler {
     return place->second;
   }
 
+  /// A quad is a mesh of its own around its corner, where f32 is finest.
   std::uint32_t quad(const v1::Quad& quad) {
-    const Eigen::Vector3d corner = to_vector(quad.corner());
     const Eigen::Vector3d u = to_vector(quad.u()), v = to_vector(quad.v());
     TriangleMesh mesh;
-    for (const Eigen::Vector3d& p : {corner, Eigen::Vector3d(corner + u),
-                                     Eigen::Vector3d(corner + u + v), Eigen::Vector3d(corner + v)})
+    for (const Eigen::Vector3d& p : {Eigen::Vector3d(0, 0, 0), u, Eigen::Vector3d(u + v), v})
       mesh.positions.push_back(
           {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}};

@@ -85,6 +85,12 @@ Result<void> check(const aiScene& scene) {
     for (unsigned i = 0; i < mesh.mNumVertices; ++i, ++vertices)
       if (!usable(mesh.mVertices[i]))
         return problem("vertex " + std::to_string(vertices) + " is not finite or too far out");
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f)
+      for (unsigned corner = 0; corner < mesh.mFaces[f].mNumIndices; ++corner)
+        if (mesh.mFaces[f].mIndices[corner] >= mesh.mNumVertices)
+          return problem("face " + std::to_string(f) + " names vertex " +
+                         std::to_string(mesh.mFaces[f].mIndices[corner]) + "; there are " +
+                         std::to_string(mesh.mNumVertices));
     faces += mesh.mNumFaces;
   }
   if (faces > limits::max_triangles)
@@ -93,8 +99,8 @@ Result<void> check(const aiScene& scene) {
   return {};
 }
 
-/// Appends one mesh of a file to the joined one. Error: an index that no vertex has.
-Result<void> append(const aiMesh& from, TriangleMesh& to) {
+/// Appends one mesh of a file to the joined one.
+void append(const aiMesh& from, TriangleMesh& to) {
   const auto base = static_cast<std::uint32_t>(to.positions.size());
   for (unsigned i = 0; i < from.mNumVertices; ++i) {
     const aiVector3D& position = from.mVertices[i];
@@ -107,17 +113,10 @@ Result<void> append(const aiMesh& from, TriangleMesh& to) {
   }
   for (unsigned i = 0; i < from.mNumFaces; ++i) {
     const aiFace& face = from.mFaces[i];
-    if (face.mNumIndices != 3) continue;
-    std::array<std::uint32_t, 3> triangle;
-    for (unsigned corner = 0; corner < 3; ++corner) {
-      if (face.mIndices[corner] >= from.mNumVertices)
-        return problem("a triangle names vertex " + std::to_string(face.mIndices[corner]) + " of " +
-                       std::to_string(from.mNumVertices));
-      triangle[corner] = base + face.mIndices[corner];
-    }
-    to.triangles.push_back(triangle);
+    if (face.mNumIndices == 3)
+      to.triangles.push_back(
+          {base + face.mIndices[0], base + face.mIndices[1], base + face.mIndices[2]});
   }
-  return {};
 }
 
 }  // namespace
@@ -148,9 +147,7 @@ Result<TriangleMesh> import_mesh(const std::string& name, const AssetReader& ass
 
   // Join its meshes.
   TriangleMesh mesh;
-  for (unsigned i = 0; i < scene->mNumMeshes; ++i)
-    if (auto appended = append(*scene->mMeshes[i], mesh); !appended)
-      return fail(std::move(appended.error().message));
+  for (unsigned i = 0; i < scene->mNumMeshes; ++i) append(*scene->mMeshes[i], mesh);
   if (mesh.triangles.empty()) return fail("holds no triangles");
   return mesh;
 }

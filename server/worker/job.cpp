@@ -13,6 +13,7 @@
 #include "common/scene/settings.h"
 #include "server/cpu/tracer.h"
 #include "server/plan/plan.h"
+#include "server/scene/camera_space.h"
 #include "server/scene/compile.h"
 
 namespace metamer {
@@ -104,7 +105,7 @@ void Job::compile(const v1::CompileJob& message) {
   ++work_;
   if (stopped_) return send_stopped();
   if (!compiled) return send_problems(compiled.error());
-  scene_ = std::make_unique<RenderScene>(std::move(*compiled));
+  scene_ = std::make_unique<RenderScene>(to_camera_space(std::move(*compiled)));
 
   // Plan, and let the daemon decide.
   plan_ = make_plan(*scene_, scene.settings(), {.threads = options_.threads});

@@ -7,6 +7,7 @@
 #include "server/cpu/tracer.h"
 #include "server/methods/method.h"
 #include "server/plan/plan.h"
+#include "server/scene/camera_space.h"
 #include "server/scene/compile.h"
 
 namespace metamer::test {
@@ -31,7 +32,7 @@ RenderScene compile_text(const std::string& text) {
 }
 
 Rendered render(const std::string& scene_text) {
-  const RenderScene scene = compile_text(scene_text);
+  const RenderScene scene = to_camera_space(compile_text(scene_text));
   const v1::Settings settings = with_defaults(parse_scene(scene_text).settings());
   const v1::Plan plan = make_plan(scene, settings, {.threads = 1});
   const auto method = make_method(plan, scene);

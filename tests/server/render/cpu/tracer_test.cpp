@@ -84,6 +84,48 @@ TEST(Tracer, ALightOnTheSurfaceItselfMakesNoInfinity) {
   }
 }
 
+TEST(Tracer, ALightInASurfaceIsNotHiddenByIt) {
+  // A ceiling at the light's own height, seen to shine on the card in every direction.
+  const std::string ceiling =
+      "object { name: 'ceiling' material: 'grey' quad { corner { x: -9 y: -9 z: 2 } u { x: 18 } v "
+      "{ y: 8 "
+      "} } } object { name: 'other' material: 'grey' quad { corner { x: -9 y: 0.9 z: 2 } u { x: 18 "
+      "} v { "
+      "y: 9 } } } ";
+  for (const char* y : {"-3", "-1.5", "1.2", "2.7"})
+    for (std::uint32_t x = 0; x < 9; ++x)
+      EXPECT_GT(
+          test::render(card(std::string("position { z: 2 y: ") + y + " }", ceiling)).at(x, 4)[1],
+          0.05)
+          << y;
+}
+
+TEST(Tracer, APictureDependsNeitherOnThePlaceInTheWorldNorOnTheUnit) {
+  // The booth again, moved by a million metres and then written in units 2^40 times as small.
+  const auto placed = [](double scale, double offset) {
+    const auto at = [&](const char* axis, double value) {
+      return std::string(axis) + ": " + std::to_string(value * scale + offset) + " ";
+    };
+    const auto length = [&](const char* axis, double value) {
+      return std::string(axis) + ": " + std::to_string(value * scale) + " ";
+    };
+    return test::render(
+        "camera { eye { " + at("x", 0) + at("y", 1.25) + at("z", 4) + "} target { " + at("x", 0) +
+        at("y", 0.5) + at("z", 0) + "} } light { name: 'l' position { " + at("x", 1) + at("y", 3) +
+        at("z", 1) + "} spectrum { standard: 'E' } reference_distance: " +
+        std::to_string(2.5 * scale) + " } material { name: 'm' diffuse { constant: 0.5 } } " +
+        "object { name: 'floor' material: 'm' quad { corner { " + at("x", -3) + at("y", 0) +
+        at("z", 3) + "} u { " + length("x", 6) + "} v { " + length("z", -6) + "} } } " +
+        "object { name: 'ball' material: 'm' sphere { center { " + at("x", 0) + at("y", 0.5) +
+        at("z", 0) + "} radius: " + std::to_string(0.5 * scale) +
+        " } } settings { width: 48 height: 32 spp: 1 }");
+  };
+  const auto reference = placed(1, 0);
+  for (const auto& other : {placed(1, 1048576), placed(1099511627776.0, 0)})
+    for (std::size_t i = 0; i < reference.xyz.size(); ++i)
+      ASSERT_NEAR(other.xyz[i], reference.xyz[i], 1e-5) << i / 3 % 48 << ", " << i / 3 / 48;
+}
+
 TEST(Tracer, ALightBehindTheCardGivesNothing) {
   EXPECT_EQ(test::render(card("position { z: -2 }")).at(4, 4)[1], 0);
   EXPECT_EQ(test::render(card("direction { z: 1 }")).at(4, 4)[1], 0);

@@ -59,6 +59,20 @@ TEST(Plan, SaysWhereASpectrumHasNoData) {
             "4 of 61 wavelengths lie below its data (420 nm): its end value there");
 }
 
+TEST(Plan, SaysWhereUniformWavelengthsEndEarly) {
+  const v1::Plan plan_of_sevens = plan(
+      scene("spectrum { standard: 'E' }", "", "method { point { from: 400 to: 700 step: 7 } }"));
+  ASSERT_EQ(plan_of_sevens.notice_size(), 1);
+  EXPECT_EQ(plan_of_sevens.notice(0).message(),
+            "the last wavelength is 694 nm: 700 nm is no whole number of steps away");
+}
+
+TEST(Plan, SaysWhereASpectrumOfOneSampleIsStretched) {
+  const v1::Plan stretched = plan(scene("spectrum { standard: 'E' }",
+                                        "diffuse { samples { wavelength: 500 value: 0.5 } }", ""));
+  EXPECT_EQ(stretched.notice_size(), 2);
+}
+
 TEST(Plan, SaysThatALightStaysDark) {
   // A spike between two sample positions: none of its power is seen.
   const v1::Plan dark =

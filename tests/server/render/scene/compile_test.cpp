@@ -95,9 +95,9 @@ struct BadMesh {
 
 TEST(Compile, EachBadMeshHasItsMessage) {
   // One triangle as binary PLY, whose third vertex has the given x.
-  const auto ply = [](float x) {
+  const auto ply = [](float x, std::int32_t last = 2) {
     const float corners[9] = {0, 0, 0, 1, 0, 0, x, 1, 0};
-    const std::int32_t face[3] = {0, 1, 2};
+    const std::int32_t face[3] = {0, 1, last};
     return "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty "
            "float "
            "y\nproperty float z\nelement face 1\nproperty list uchar int "
@@ -109,6 +109,8 @@ TEST(Compile, EachBadMeshHasItsMessage) {
       {"empty.obj", "# no faces at all\nv 0 0 0\nv 1 0 0\nv 1 1 0\n", "holds no triangles"},
       {"nan.ply", ply(NAN), "vertex 2 is not finite or too far out"},
       {"far.ply", ply(1e20f), "vertex 2 is not finite or too far out"},
+      {"index.ply", ply(1, 7), "face 0 names vertex 7; there are 3"},
+      {"wild.ply", ply(1, 2'000'000'000), "face 0 names vertex 2000000000; there are 3"},
   };
   EXPECT_TRUE(
       compile_with(scene("", "object { name: 'o' material: 'm' mesh { file: 'good.ply' } }"),

@@ -1,0 +1,48 @@
+#include "server/scene/camera_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace metamer {
+namespace {
+
+/// The distance from the eye to the farthest corner of anything.
+double reach(const RenderScene& scene) {
+  std::vector<Eigen::AlignedBox3d> boxes(scene.meshes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    for (const auto& p : scene.meshes[i].positions)
+      boxes[i].extend(Eigen::Vector3d(p[0], p[1], p[2]));
+  const Eigen::AlignedBox3d unit(Eigen::Vector3d::Constant(-1), Eigen::Vector3d::Constant(1));
+
+  double farthest = 0;
+  for (const RenderObject& object : scene.objects) {
+    const bool sphere = object.shape == RenderObject::Shape::sphere;
+    const Eigen::AlignedBox3d box =
+        (sphere ? unit : boxes[object.mesh]).transformed(object.to_world);
+    const Eigen::Vector3d far = (box.min() - scene.camera.eye)
+                                    .cwiseAbs()
+                                    .cwiseMax((box.max() - scene.camera.eye).cwiseAbs());
+    farthest = std::max(farthest, far.norm());
+  }
+  for (const RenderLight& light : scene.lights)
+    if (!light.directional) farthest = std::max(farthest, (light.place - scene.camera.eye).norm());
+  return farthest;
+}
+
+}  // namespace
+
+RenderScene to_camera_space(RenderScene scene) {
+  const double size = reach(scene);
+  const double scale = size > 0 ? std::exp2(-std::floor(std::log2(size))) : 1;
+  const Eigen::Vector3d eye = scene.camera.eye;
+  const Eigen::Affine3d map = Eigen::Scaling(scale) * Eigen::Translation3d(-eye);
+  for (RenderObject& object : scene.objects) object.to_world = map * object.to_world;
+  for (RenderLight& light : scene.lights) {
+    light.reference_distance *= scale;
+    if (!light.directional) light.place = map * light.place;
+  }
+  scene.camera.eye.setZero();
+  return scene;
+}
+
+}  // namespace metamer
