@@ -166,8 +166,6 @@ asio::awaitable<Answer<std::unique_ptr<Session>>> Session::connect(std::string s
   });
   Answer<v1::Envelope> answer = co_await session->ask(std::move(request));
   patience.cancel();
-  // Who accepts and says nothing is no server.
-  if (!answer && answer.error().kind == Kind::disconnected) answer.error().kind = Kind::no_server;
   if (!answer) co_return tl::unexpected<SessionError>(std::move(answer.error()));
   if (!answer->has_welcome()) co_return unexpected_answer();
   state->welcome = std::move(*answer->mutable_welcome());

@@ -114,14 +114,14 @@ TEST(ExitCode, ThreeWhenThePrivateServerDoesNotStart) {
   EXPECT_EQ(ended.err, "error: cannot start metamerd: No such file or directory\n");
 }
 
-TEST(ExitCode, OneWhenThePictureCannotBeWritten) {
+TEST(ExitCode, TwoBeforeRenderingWhenAFolderIsInThePicturesWay) {
   const Folder folder;
   const std::string scene = folder.write("scene.txtpb", small_scene());
-  std::filesystem::create_directory(folder / "a.png");  // a folder of that name is in the way
+  std::filesystem::create_directory(folder / "a.png");
   const Ended ended = metamer({"render", scene, "-o", folder / "a.png"});
-  EXPECT_EQ(ended.code, 1);
+  EXPECT_EQ(ended.code, 2);
   EXPECT_EQ(ended.out, "");
-  EXPECT_NE(ended.err.find("error: "), std::string::npos) << ended.err;
+  EXPECT_EQ(ended.err, "error: --output: \"" + (folder / "a.png") + "\" is a folder\n");
 }
 
 // 4 and 5 are with the tests of lost workers and of cancelling.
