@@ -12,6 +12,7 @@ extern "C" {  // glibc 2.36 forgot it
 #include <sys/pidfd.h>
 }
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -44,6 +45,35 @@ std::vector<std::string> environment_with(const std::map<std::string, std::strin
   }
   for (const auto& [name, value] : added) result.push_back(name + "=" + value);
   return result;
+}
+
+std::string first_line(const fs::path& file) {
+  std::ifstream stream(file);
+  std::string line;
+  std::getline(stream, line, '\n');
+  std::replace(line.begin(), line.end(), '\0', ' ');
+  return line;
+}
+
+/// Who else holds the pipe of descriptor `fd` open, and what each of their threads waits for: all
+/// that there is to know of a test that hung on another machine.
+std::string holders(int fd) {
+  std::error_code ignored;
+  const fs::path pipe = fs::read_symlink("/proc/self/fd/" + std::to_string(fd), ignored);
+  std::string text;
+  for (const auto& process : fs::directory_iterator("/proc", ignored)) {
+    bool holds = false;
+    for (const auto& one : fs::directory_iterator(process.path() / "fd", ignored))
+      holds |= fs::read_symlink(one.path(), ignored) == pipe;
+    if (!holds || process.path().filename() == std::to_string(getpid())) continue;
+    text +=
+        process.path().filename().string() + " " + first_line(process.path() / "cmdline") + "\n";
+    for (const auto& thread : fs::directory_iterator(process.path() / "task", ignored))
+      text += "  " + first_line(thread.path() / "stat").substr(0, 60) + " in " +
+              first_line(thread.path() / "wchan") + ", system call " +
+              first_line(thread.path() / "syscall") + "\n";
+  }
+  return text;
 }
 
 std::array<int, 2> make_pipe() {
@@ -124,7 +154,9 @@ std::optional<std::string> Process::line_err(const std::string& text) { return l
 Ended Process::wait() {
   while (out_.fd >= 0 || err_.fd >= 0) {
     if (read_some(end_limit_ms)) continue;
-    ADD_FAILURE() << "killed after a minute of silence; it had said:\n" << out_.text << err_.text;
+    ADD_FAILURE() << "killed after a minute of silence; its output is held open by\n"
+                  << holders(out_.fd >= 0 ? out_.fd : err_.fd) << "it had said:\n"
+                  << out_.text << err_.text;
     kill(pid_, SIGKILL);
     break;
   }
