@@ -17,5 +17,10 @@ ExitCode cancel(const ControlOptions& options);
 ExitCode pause(const ControlOptions& options);
 ExitCode resume(const ControlOptions& options);
 ExitCode info(const InfoOptions& options);
+ExitCode list_models(const ModelsOptions& options);
+ExitCode show_model(const ShowModelOptions& options);
+ExitCode plot_models(const PlotOptions& options);
+
+ExitCode bench_models(const BenchOptions& options);
 
 }  // namespace metamer::cli

@@ -31,7 +31,7 @@ void print_info(const v1::Info& info, double ping, Report& report) {
               std::to_string(info.capabilities().threads()) + " threads)");
   report.line("methods: " + list(info.capabilities().method()));
   for (const v1::ModelInfo& model : info.capabilities().model()) {
-    report.line("model " + model.name() + ": " + model.citation());
+    report.line(model.kind() + " " + model.name() + ": " + model.citation());
     for (const v1::ParameterInfo& parameter : model.parameter()) {
       std::snprintf(text.data(), text.size(), " = %g, %g to %g", parameter.default_value(),
                     parameter.min(), parameter.max());

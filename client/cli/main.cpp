@@ -9,8 +9,9 @@ namespace metamer::cli {
 namespace {
 
 const char* const footer =
-    "Without --server (or METAMER_SERVER), render and check start a private server and end it\n"
-    "again; the other commands need one.\n"
+    "Without --server (or METAMER_SERVER), render, check and bench start a private server and end "
+    "it\n"
+    "again; models needs none; the other commands need one.\n"
     "\n"
     "Exit codes: 0 done, 2 bad input or usage, 3 no server, 4 job failed, 5 cancelled, 1 "
     "otherwise.";
@@ -75,6 +76,10 @@ struct AllOptions {
   FetchOptions fetch;
   ControlOptions cancel, pause, resume;
   InfoOptions info;
+  ModelsOptions models;
+  ShowModelOptions show_model;
+  PlotOptions plot;
+  BenchOptions bench;
 };
 
 void add_scene_commands(CLI::App& app, AllOptions& all, Action& chosen) {
@@ -133,6 +138,49 @@ void add_job_commands(CLI::App& app, AllOptions& all, Action& chosen) {
   add_common(info_command, all.info.common);
 }
 
+void add_models_commands(CLI::App& app, AllOptions& all, Action& chosen) {
+  const auto add_json = [](CLI::App& command, bool& json) {
+    command.add_flag("--json", json, "one JSON document on stdout");
+  };
+  CLI::App* models = app.add_subcommand("models", "list, explain and plot the illumination models");
+  // A parent's callback comes after its subcommand's.
+  models->callback([&all, &chosen, models] {
+    if (models->get_subcommands().empty()) chosen = [&all] { return list_models(all.models); };
+  });
+  models->require_subcommand(0, 1);
+  add_json(*models, all.models.json);
+  models->footer(footer);
+
+  CLI::App& show = add_command(*models, "show", "print equation, paper and parameters", chosen,
+                               [&] { return show_model(all.show_model); });
+  show.add_option("name", all.show_model.name, "such as blinn_phong")->required();
+  add_json(show, all.show_model.json);
+
+  CLI::App& plot = add_command(*models, "plot", "draw diagrams: a .png and its numbers as a .csv",
+                               chosen, [&] { return plot_models(all.plot); });
+  plot.add_option("names", all.plot.names, "such as blinn_phong beckmann conductor");
+  plot.add_flag("--figures", all.plot.figures, "all the diagrams among Figs. 2-2 to 2-11 instead");
+  plot.add_option("-o,--output", all.plot.folder, "the folder to write into")
+      ->capture_default_str();
+  plot.add_option("--set", all.plot.set, "a parameter's value; may be given several times")
+      ->type_name("PARAMETER=VALUE")
+      ->allow_extra_args(false);
+  add_json(plot, all.plot.json);
+}
+
+void add_bench_commands(CLI::App& app, AllOptions& all, Action& chosen) {
+  CLI::App* bench = app.add_subcommand("bench", "measure a server; prints ratios of one run");
+  bench->require_subcommand(1);
+  bench->footer(footer);
+  CLI::App& models =
+      add_command(*bench, "models", "the time of one scene with each model, next to Blinn–Phong's",
+                  chosen, [&] { return bench_models(all.bench); });
+  models.add_option("--rounds", all.bench.rounds, "renderings of each model")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  add_common(models, all.bench.common);
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Metamer renders scenes spectrally, on this machine or on a server.");
   app.set_version_flag("--version", std::string("metamer ") + METAMER_VERSION);
@@ -143,6 +191,8 @@ int run(int argc, char** argv) {
   Action chosen;
   add_scene_commands(app, all, chosen);
   add_job_commands(app, all, chosen);
+  add_models_commands(app, all, chosen);
+  add_bench_commands(app, all, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -80,4 +80,28 @@ struct InfoOptions {
   CommonOptions common;
 };
 
+// The models need no server, so these have no CommonOptions.
+
+struct ModelsOptions {
+  bool json = false;
+};
+
+struct ShowModelOptions {
+  bool json = false;
+  std::string name;
+};
+
+struct PlotOptions {
+  bool json = false;
+  std::vector<std::string> names;
+  std::vector<std::string> set;  ///< "shininess=120"
+  std::string folder = ".";      ///< Made when it is not there.
+  bool figures = false;          ///< Figs. 2-2 to 2-11 in place of names.
+};
+
+struct BenchOptions {
+  CommonOptions common;
+  std::uint32_t rounds = 5;
+};
+
 }  // namespace metamer::cli

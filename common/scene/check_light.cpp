@@ -1,3 +1,5 @@
+#include <numbers>
+
 #include "common/scene/check_spectrum.h"
 #include "common/scene/parts.h"
 #include "common/scene/vectors.h"
@@ -28,6 +30,14 @@ void check_light(const v1::Light& light, const std::string& field, Findings& fin
   if (light.luminance() < 0) {
     findings.add(field + ".luminance",
                  "luminance must not be negative (it is " + number_text(light.luminance()) + ")");
+  }
+
+  if (light.has_solid_angle()) {
+    constexpr double sphere = 4 * std::numbers::pi;
+    if (!(light.solid_angle() > 0 && light.solid_angle() <= sphere)) {
+      findings.add(field + ".solid_angle", "solid_angle must be above 0 and at most 4π (it is " +
+                                               number_text(light.solid_angle()) + ")");
+    }
   }
 
   if (!light.has_reference_distance()) return;

@@ -4,7 +4,6 @@
 namespace metamer {
 
 void check_material(const v1::Material& material, const std::string& field, Findings& findings) {
-  // The model's own parameters have their bounds in models.def, which the worker knows.
   if (!check_values(material, field, findings)) return;
 
   if (material.has_diffuse()) {
@@ -20,6 +19,8 @@ void check_material(const v1::Material& material, const std::string& field, Find
     check_range(material.specularness(), 0, 1, field + ".specularness", findings);
   }
   check_range(material.mirror(), 0, 1, field + ".mirror", findings);
+  check_reflection(material, field, findings);
+  if (material.has_fresnel()) check_fresnel(material.fresnel(), field + ".fresnel", findings);
 }
 
 }  // namespace metamer

@@ -39,10 +39,19 @@ void check_samples(const v1::Samples& samples, const std::string& field, Spectru
 
 std::string value_fault(double value, SpectrumRole role) {
   // Written so that a NaN is a fault, too.
-  if (role == SpectrumRole::property && !(value >= 0 && value <= 1)) {
-    return "a property must lie in 0..1";
+  const auto within = [value](double low, double high) { return value >= low && value <= high; };
+  switch (role) {
+    case SpectrumRole::emission:
+      return value >= 0 ? "" : "an emission must not be negative";
+    case SpectrumRole::property:
+      return within(0, 1) ? "" : "a property must lie in 0..1";
+    case SpectrumRole::reflectance:
+      return within(0, 0.999999) ? "" : "a reflectance that gives n must lie in 0..0.999999";
+    case SpectrumRole::index:
+      return within(0.01, 100) ? "" : "an index of refraction must lie in 0.01..100";
+    case SpectrumRole::extinction:
+      return within(0, 100) ? "" : "an extinction coefficient must lie in 0..100";
   }
-  if (role == SpectrumRole::emission && !(value >= 0)) return "an emission must not be negative";
   return {};
 }
 
@@ -54,7 +63,7 @@ void check_spectrum(const v1::Spectrum& spectrum, const std::string& field, Spec
                     Findings& findings) {
   switch (spectrum.source_case()) {
     case v1::Spectrum::kStandard:
-      if (role == SpectrumRole::property) {
+      if (role != SpectrumRole::emission) {
         findings.add(field + ".standard", "a standard illuminant is an emission, not a property");
       } else if (cie::illuminant(spectrum.standard()) == nullptr) {
         findings.add(field + ".standard",

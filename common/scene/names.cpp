@@ -30,6 +30,15 @@ void for_each_spectrum(
     if (material.has_specular()) {
       visit(material.specular(), field + ".specular", SpectrumRole::property);
     }
+    const v1::Dielectric& dielectric = material.fresnel().dielectric();
+    const std::string below = field + ".fresnel.";
+    if (dielectric.has_n()) visit(dielectric.n(), below + "dielectric.n", SpectrumRole::index);
+    if (dielectric.has_reflectance()) {
+      visit(dielectric.reflectance(), below + "dielectric.reflectance", SpectrumRole::reflectance);
+    }
+    const v1::Conductor& conductor = material.fresnel().conductor();
+    if (conductor.has_n()) visit(conductor.n(), below + "conductor.n", SpectrumRole::index);
+    if (conductor.has_k()) visit(conductor.k(), below + "conductor.k", SpectrumRole::extinction);
   }
 }
 

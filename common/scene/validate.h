@@ -14,18 +14,23 @@ namespace metamer {
 /// Everything wrong with a scene that can be seen without opening a file, in the scene's order,
 /// each with its field path: numbers that are not finite or out of range, names that are missing,
 /// duplicate or unknown (with "did you mean"), sizes over the limits, wavelengths unsorted or
-/// repeated, degenerate cameras, shapes and transforms. Both sides run it: the client before it
-/// sends, the worker because clients may lie. Empty: the scene is sound.
-/// Parameters of models are checked against models.def by the worker.
+/// repeated, degenerate cameras, shapes and transforms, parameters of models against models.def.
+/// Both sides run it: the client before it sends, the worker because clients may lie. Empty: the
+/// scene is sound.
 std::vector<Problem> validate_scene(const v1::Scene& scene);
 
 /// The bytes of a file that the scene names, by its name as written there.
 using AssetReader = std::function<Result<std::string>(const std::string& name)>;
 
 /// The spectrum that a message stands for. Errors carry the field path below `field`, or file,
-/// line and column inside an asset. `property`: values must lie in 0..1; else they must not be
-/// negative.
-enum class SpectrumRole { emission, property };
+/// line and column inside an asset. Its values must lie in the range of its role.
+enum class SpectrumRole {
+  emission,     ///< Not negative, not 0 everywhere.
+  property,     ///< 0..1
+  reflectance,  ///< 0..0.999999: an index of refraction is computed of it, E[2.2-11].
+  index,        ///< n, 0.01..100
+  extinction,   ///< k, 0..100
+};
 Result<Spectrum> load_spectrum(const v1::Spectrum& message, const std::string& field,
                                SpectrumRole role, const AssetReader& assets);
 

@@ -60,6 +60,24 @@ std::optional<double> uniform_scale(const Eigen::Affine3d& map) {
   return uniform ? std::optional(std::sqrt(scale)) : std::nullopt;
 }
 
+std::array<std::array<float, 4>, 3> rows(const Eigen::Affine3d& map) {
+  std::array<std::array<float, 4>, 3> to;
+  for (Eigen::Index row = 0; row < 3; ++row)
+    for (Eigen::Index column = 0; column < 4; ++column)
+      to[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] =
+          static_cast<float>(map(row, column));
+  return to;
+}
+
+/// A point (w = 1) or a direction (w = 0) in the world.
+std::array<float, 3> mapped(const std::array<std::array<float, 4>, 3>& map,
+                            const std::array<float, 3>& v, float w) {
+  std::array<float, 3> to;
+  for (std::size_t row = 0; row < 3; ++row)
+    to[row] = map[row][0] * v[0] + map[row][1] * v[1] + map[row][2] * v[2] + map[row][3] * w;
+  return to;
+}
+
 RTCGeometry triangles(RTCDevice device, const TriangleMesh& mesh, const Eigen::Affine3d& place) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* vertices = static_cast<std::array<float, 3>*>(
@@ -128,7 +146,15 @@ std::optional<EmbreeScene> EmbreeScene::build(const RenderScene& scene,
 
   // Place every object.
   for (const RenderObject& object : scene.objects) {
-    if (object.shape == RenderObject::Shape::sphere)
+    const bool sphere = object.shape == RenderObject::Shape::sphere;
+    result.tangents_ |= scene.materials[object.material].anisotropic();
+    result.interpolated_ |= !sphere && object.shading != v1::PHONG;
+    result.placed_.push_back({.material = object.material,
+                              .shading = sphere ? v1::PHONG : object.shading,
+                              .mesh = sphere ? nullptr : &scene.meshes[object.mesh],
+                              .to_world = rows(object.to_world),
+                              .normals = {}});
+    if (sphere)
       result.add_sphere(object);
     else if (uses[object.mesh] < 2)
       result.add_placed(object, scene.meshes[object.mesh]);
@@ -141,17 +167,16 @@ std::optional<EmbreeScene> EmbreeScene::build(const RenderScene& scene,
   return result;
 }
 
-void EmbreeScene::attach(RTCGeometry geometry, Placed placed) {
+/// Gives the newest of the placed objects its geometry.
+void EmbreeScene::attach(RTCGeometry geometry) {
   rtcCommitGeometry(geometry);
-  rtcAttachGeometryByID(scene_.get(), geometry, static_cast<unsigned>(placed_.size()));
+  rtcAttachGeometryByID(scene_.get(), geometry, static_cast<unsigned>(placed_.size() - 1));
   rtcReleaseGeometry(geometry);
-  placed_.push_back(std::move(placed));
 }
 
 void EmbreeScene::add_placed(const RenderObject& object, const TriangleMesh& mesh) {
-  attach(
-      triangles(device_.get(), mesh, object.to_world),
-      {.material = object.material, .normals = corner_normals(mesh, normal_map(object.to_world))});
+  placed_.back().normals = corner_normals(mesh, normal_map(object.to_world));
+  attach(triangles(device_.get(), mesh, object.to_world));
 }
 
 void EmbreeScene::add_sphere(const RenderObject& object) {
@@ -165,8 +190,7 @@ void EmbreeScene::add_sphere(const RenderObject& object) {
     return geometry;
   };
   if (scale) {
-    attach(sphere(object.to_world.translation(), *scale),
-           {.material = object.material, .normals = {}});
+    attach(sphere(object.to_world.translation(), *scale));
     return;
   }
   // An ellipsoid is an instance of the unit sphere.
@@ -186,11 +210,13 @@ void EmbreeScene::add_instance(const RenderObject& object, RTCScene shared,
   rtcSetGeometryInstancedScene(geometry, shared);
   const Eigen::Matrix<float, 3, 4, Eigen::RowMajor> map = object.to_world.affine().cast<float>();
   rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_ROW_MAJOR, map.data());
-  Placed placed{.material = object.material, .normals = {}, .shared = normals, .instance = true};
+  Placed& placed = placed_.back();
+  placed.shared = normals;
+  placed.instance = true;
   const Eigen::Matrix3d normal = normal_map(object.to_world);
   for (int row = 0; row < 3; ++row)
     placed.to_world_normals[static_cast<std::size_t>(row)] = to_array(normal.row(row).transpose());
-  attach(geometry, std::move(placed));
+  attach(geometry);
 }
 
 Hits EmbreeScene::intersect(const Vec8& origin, const Vec8& direction, Int8 active) const {
@@ -215,6 +241,11 @@ Hits EmbreeScene::intersect(const Vec8& origin, const Vec8& direction, Int8 acti
   hits.normal = hits.geometric_normal;
   for (int i = 0; i < lane_count; ++i)
     if (hits.hit[i]) shading_normal(rays, i, hits);
+  hits.u = load(rays.hit.u);
+  hits.v = load(rays.hit.v);
+  if (tangents_)
+    for (int i = 0; i < lane_count; ++i)
+      if (hits.hit[i]) shading_tangent(i, hits);
 
   // Turn the normals to the side that the ray came from.
   hits.geometric_normal = normalize(hits.geometric_normal);
@@ -230,8 +261,12 @@ Hits EmbreeScene::intersect(const Vec8& origin, const Vec8& direction, Int8 acti
 void EmbreeScene::shading_normal(const RTCRayHit8& rays, int lane, Hits& hits) const {
   const unsigned instance = rays.hit.instID[0][lane];
   const bool instanced = instance != RTC_INVALID_GEOMETRY_ID;
-  const Placed& placed = placed_[instanced ? instance : rays.hit.geomID[lane]];
+  const unsigned object = instanced ? instance : rays.hit.geomID[lane];
+  const Placed& placed = placed_[object];
+  hits.object[lane] = static_cast<int>(object);
+  hits.primitive[lane] = static_cast<int>(rays.hit.primID[lane]);
   hits.material[lane] = static_cast<int>(placed.material);
+  if (interpolated_ && placed.shading != v1::PHONG) hits.interpolated[lane] = -1;
   const auto set = [lane](Vec8& to, const std::array<float, 3>& v) {
     to.x[lane] = v[0];
     to.y[lane] = v[1];
@@ -261,6 +296,51 @@ void EmbreeScene::shading_normal(const RTCRayHit8& rays, int lane, Hits& hits) c
   };
   to_world(hits.geometric_normal);
   to_world(hits.normal);
+}
+
+/// From the mesh's UVs, else the object's x axis, in the world.
+std::array<float, 3> EmbreeScene::corner_tangent(const Placed& placed, std::uint32_t vertex) const {
+  std::array<float, 3> tangent{};
+  if (placed.mesh != nullptr && !placed.mesh->tangents.empty())
+    tangent = placed.mesh->tangents[vertex];
+  if (tangent == std::array<float, 3>{}) tangent = {1, 0, 0};
+  return mapped(placed.to_world, tangent, 0);
+}
+
+void EmbreeScene::shading_tangent(int lane, Hits& hits) const {
+  const Placed& placed = placed_[static_cast<std::size_t>(hits.object[lane])];
+  const auto add = [&](const std::array<float, 3>& v, float weight) {
+    hits.tangent.x[lane] += weight * v[0];
+    hits.tangent.y[lane] += weight * v[1];
+    hits.tangent.z[lane] += weight * v[2];
+  };
+  if (placed.mesh == nullptr) return add(corner_tangent(placed, 0), 1);
+  const auto& triangle = placed.mesh->triangles[static_cast<std::size_t>(hits.primitive[lane])];
+  const float u = hits.u[lane], v = hits.v[lane];
+  add(corner_tangent(placed, triangle[0]), 1 - u - v);
+  add(corner_tangent(placed, triangle[1]), u);
+  add(corner_tangent(placed, triangle[2]), v);
+}
+
+Corners EmbreeScene::corners(int object, int primitive) const {
+  const Placed& placed = placed_[static_cast<std::size_t>(object)];
+  const auto index = static_cast<std::size_t>(primitive);
+  const std::vector<CornerNormals>& normals = placed.instance ? *placed.shared : placed.normals;
+  Corners corners{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::uint32_t vertex = placed.mesh->triangles[index][i];
+    corners.position[i] = mapped(placed.to_world, placed.mesh->positions[vertex], 1);
+    if (tangents_) corners.tangent[i] = corner_tangent(placed, vertex);
+    if (normals.empty()) continue;
+    corners.normal[i] = normals[index][i];
+    if (!placed.instance) continue;
+    for (std::size_t row = 0; row < 3; ++row) {
+      const auto& r = placed.to_world_normals[row];
+      const auto& n = normals[index][i];
+      corners.normal[i][row] = r[0] * n[0] + r[1] * n[1] + r[2] * n[2];
+    }
+  }
+  return corners;
 }
 
 Int8 EmbreeScene::visible(const Vec8& origin, const Vec8& direction, Float8 length,

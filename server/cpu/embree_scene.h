@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "server/cpu/lanes.h"
+#include "server/cpu/triangle_places.h"
 #include "server/scene/render_scene.h"
 
 namespace metamer::cpu {
@@ -20,15 +21,22 @@ struct Hits {
   Int8 material{};        ///< Index into RenderScene::materials, where it hit.
   Vec8 geometric_normal;  ///< Unit, on the ray's side.
   Vec8 normal;            ///< Unit: interpolated where the mesh has normals; on the same side.
+  Vec8 tangent{};         ///< Of any length; only in scenes that look at it.
+  Int8 object{};          ///< For EmbreeScene::shading and corners.
+  Int8 primitive{};       ///< The triangle of that object.
+  Float8 u{}, v{};        ///< Barycentric, of its second and third corner.
+  Int8 interpolated{};    ///< Mask: the object's shading is not PHONG.
 };
 
-/// The geometry in Embree. An object whose mesh no other object shares is placed in the world once
-/// and for all; shared meshes are instances. Immutable and shared by all threads.
+/// The geometry in Embree; refers to the scene that it was built from. An object whose mesh no
+/// other object shares is placed in the world once and for all; shared meshes are instances.
+/// Immutable and shared by all threads.
 class EmbreeScene {
  public:
   /// Nothing when `cancelled` becomes true during the build. Uses the threads of the calling arena.
   static std::optional<EmbreeScene> build(const RenderScene& scene,
                                           const std::atomic<bool>& cancelled);
+  static std::optional<EmbreeScene> build(RenderScene&&, const std::atomic<bool>&) = delete;
 
   /// The first hits of eight rays with unit directions. Lanes outside `active`, and rays that are
   /// not finite, hit nothing and never reach Embree (it would abort).
@@ -37,6 +45,12 @@ class EmbreeScene {
   /// Which of the segments origin + t direction, 0 < t < length, are free. Inactive lanes and rays
   /// that are not finite are not.
   Int8 visible(const Vec8& origin, const Vec8& direction, Float8 length, Int8 active) const;
+
+  /// Of an object that was hit. A sphere's shading is PHONG; it has no corners.
+  v1::Shading shading(int object) const {
+    return placed_[static_cast<std::size_t>(object)].shading;
+  }
+  Corners corners(int object, int primitive) const;
 
   RTCScene handle() const { return scene_.get(); }  ///< For benchmarks.
 
@@ -56,7 +70,10 @@ class EmbreeScene {
   /// An object, by the number of its geometry in the top scene.
   struct Placed {
     std::uint32_t material;
-    std::vector<CornerNormals> normals;  ///< In the world; empty: flat, or an instance.
+    v1::Shading shading;
+    const TriangleMesh* mesh = nullptr;              ///< Null: a sphere.
+    std::array<std::array<float, 4>, 3> to_world{};  ///< Rows.
+    std::vector<CornerNormals> normals;              ///< In the world; empty: flat, or an instance.
     const std::vector<CornerNormals>* shared = nullptr;  ///< An instance's, in its own space.
     bool instance = false;
     std::array<std::array<float, 3>, 3> to_world_normals{};  ///< Rows; for an instance.
@@ -67,14 +84,17 @@ class EmbreeScene {
   void add_sphere(const RenderObject& object);
   void add_instance(const RenderObject& object, RTCScene shared,
                     const std::vector<CornerNormals>* normals);
-  void attach(RTCGeometry geometry, Placed placed);
+  void attach(RTCGeometry geometry);
   void shading_normal(const RTCRayHit8& rays, int lane, Hits& hits) const;
+  std::array<float, 3> corner_tangent(const Placed& placed, std::uint32_t vertex) const;
+  void shading_tangent(int lane, Hits& hits) const;
 
   Device device_;
   std::vector<SceneHandle> shared_scenes_;
   std::vector<std::vector<CornerNormals>> shared_normals_;
   SceneHandle scene_;
   std::vector<Placed> placed_;
+  bool tangents_ = false, interpolated_ = false;  ///< Whether any object asks for them.
 };
 
 }  // namespace metamer::cpu

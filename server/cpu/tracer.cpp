@@ -1,7 +1,8 @@
 #include "server/cpu/tracer.h"
 
-#include <algorithm>
-#include <limits>
+#include <tuple>
+
+#include "server/cpu/angles.h"
 
 namespace metamer::cpu {
 namespace {
@@ -20,41 +21,18 @@ Vec8 broadcast(const Eigen::Vector3d& v) {
           metamer::broadcast(static_cast<float>(v.z()))};
 }
 
-/// Shadow rays end a little before the light, so that a surface in which it lies does not hide it.
-constexpr float short_of_light = 0.9999f;
-constexpr float largest = std::numeric_limits<float>::max();
-
-/// A cosine as models want it: 0 behind the surface, and not above 1 by rounding.
-Float8 cosine(Float8 value) { return min(max(value, Float8{}), metamer::broadcast(1)); }
-
 }  // namespace
-
-/// Where the lanes of a packet are gathered.
-struct Tracer::Places {
-  std::array<std::uint32_t, 8> surface{};  ///< Of the pixel's gather.
-  bool together = true;                    ///< All active lanes in the same place.
-  unsigned first = 0;                      ///< An active lane.
-};
-
-/// Eight rays on their way, and where their light goes.
-struct Tracer::Packet {
-  Vec8 origin{}, direction{};  ///< Directions are unit.
-  Int8 active{};
-  Float8 throughput = metamer::broadcast(1);  ///< Product of the mirrors' weights.
-  std::array<std::uint32_t, 8> pixel{};       ///< Index into Workspace::gathers.
-  std::array<std::uint32_t, 8> path{};        ///< Of that pixel's gather.
-  Vec8 hit{};                                 ///< Where the ray hit.
-  Vec8 point{};                               ///< The same, lifted off the surface.
-};
 
 Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const Method& method,
                const v1::Plan& plan)
-    : scene_(scene), geometry_(geometry), method_(method), depth_(plan.depth()), spp_(plan.spp()) {
+    : scene_(scene),
+      geometry_(geometry),
+      method_(method),
+      shading_(scene, geometry),
+      depth_(plan.depth()),
+      spp_(plan.spp()) {
   std::tie(block_width_, block_height_) = block_size(spp_);
   prepare_samples();
-  for (const RenderLight& light : scene.lights)
-    lights_.push_back({light.directional, broadcast(light.place),
-                       static_cast<float>(light.reference_distance * light.reference_distance)});
 
   // Scale the camera's axes to pixels; pixels are square.
   const RenderCamera& camera = scene.camera;
@@ -82,7 +60,7 @@ void Tracer::prepare_samples() {
 
 Tracer::Workspace Tracer::make_workspace() const {
   Workspace workspace;
-  workspace.gathers.assign(block_width_ * block_height_, Gather(lights_.size()));
+  workspace.gathers.assign(block_width_ * block_height_, Gather(scene_.lights.size()));
   return workspace;
 }
 
@@ -133,116 +111,25 @@ void Tracer::trace(Packet& packet, Workspace& workspace) const {
     const Vec8& hit = packet.hit;
     const Float8 size = max(max(abs(hit.x), abs(hit.y)), max(abs(hit.z), hits.distance));
     packet.point = hit + hits.geometric_normal * (size * 1e-5f);
-    shade(packet, hits, workspace);
+    packet.travelled += hits.distance;
+    shading_.shade(packet, hits, workspace);
     if (mirrors == depth_) return;
     reflect(packet, hits, workspace);
     if (!any(packet.active)) return;
   }
 }
 
-void Tracer::shade(const Packet& packet, const Hits& hits, Workspace& workspace) const {
-  const Places places = find_places(packet, hits, workspace);
-  for (std::size_t l = 0; l < lights_.size(); ++l) {
-    // Look towards the light from the surface itself: the lift would show in a near light.
-    const Light& light = lights_[l];
-    Vec8 to_light = light.place;
-    Float8 length = metamer::broadcast(std::numeric_limits<float>::infinity());
-    Float8 weight = packet.throughput;
-    if (!light.directional) {
-      const Vec8 way = light.place - packet.hit;
-      const Float8 squared = dot(way, way);
-      const Float8 distance = sqrt(squared);
-      to_light = way * (1.0f / distance);
-      length = distance * short_of_light;
-      if (light.reference_squared > 0) weight *= light.reference_squared / squared;
-    }
-    const Float8 n_dot_l = dot(hits.normal, to_light);
-    // Closer to a light than f32 can say, its weight is infinite: such a point has no colour.
-    const Int8 facing = packet.active & (n_dot_l > 0.0f) & (weight <= largest);
-    if (!any(facing)) continue;
-    workspace.rays += static_cast<unsigned>(count(facing));
-    const Int8 lit = geometry_.visible(packet.point, to_light, length, facing);
-    if (!any(lit)) continue;
-
-    // Evaluate the models and gather their lobes.
-    const Float8 n_dot_h = dot(hits.normal, normalize(to_light - packet.direction));
-    models::LobeLanes lobes = evaluate(hits, lit, {cosine(n_dot_l), cosine(n_dot_h)});
-    const Float8 lit_weight = select(lit, weight, Float8{});
-    lobes.diffuse *= lit_weight;
-    lobes.specular *= lit_weight;
-    lobes.white *= lit_weight;
-    gather(packet, places, l, lobes, lit, workspace);
-  }
-}
-
-/// Finds where each lane's light is gathered.
-Tracer::Places Tracer::find_places(const Packet& packet, const Hits& hits,
-                                   Workspace& workspace) const {
-  Places places;
-  int last = -1;
-  for (unsigned i = 0; i < lane_count; ++i) {
-    if (!packet.active[i]) continue;
-    const auto material = static_cast<std::uint32_t>(hits.material[i]);
-    const bool as_last = last >= 0 && packet.pixel[i] == packet.pixel[last] &&
-                         packet.path[i] == packet.path[last] &&
-                         hits.material[i] == hits.material[last];
-    places.surface[i] = as_last
-                            ? places.surface[last]
-                            : workspace.gathers[packet.pixel[i]].surface(packet.path[i], material);
-    places.together &= last < 0 || as_last;
-    last = static_cast<int>(i);
-  }
-  places.first = static_cast<unsigned>(last);
-  return places;
-}
-
-/// Evaluates each material that the packet has lit, once for all of its lanes.
-models::LobeLanes Tracer::evaluate(const Hits& hits, Int8 lit,
-                                   const models::AngleLanes& angles) const {
-  models::LobeLanes lobes{};
-  for (unsigned first = 0; first < lane_count; ++first) {
-    if (!lit[first]) continue;
-    const Int8 same = hits.material == hits.material[first];
-    const RenderMaterial& material =
-        scene_.materials[static_cast<std::size_t>(hits.material[first])];
-    const models::LobeLanes own = models::evaluate(material.model, material.parameters, angles);
-    lobes.diffuse = select(same, own.diffuse, lobes.diffuse);
-    lobes.specular = select(same, own.specular, lobes.specular);
-    lobes.white = select(same, own.white, lobes.white);
-    lit &= ~same;
-  }
-  return lobes;
-}
-
-/// Adds weighted lobes where they are gathered; lanes that are not lit hold zeros.
-void Tracer::gather(const Packet& packet, const Places& places, std::size_t light,
-                    const models::LobeLanes& lobes, Int8 lit, Workspace& workspace) const {
-  if (places.together) {
-    LobeWeights& to =
-        workspace.gathers[packet.pixel[places.first]].weights(places.surface[places.first], light);
-    to.diffuse += sum(lobes.diffuse);
-    to.specular += sum(lobes.specular);
-    to.white += sum(lobes.white);
-    return;
-  }
-  for (unsigned i = 0; i < lane_count; ++i) {
-    if (!lit[i]) continue;
-    LobeWeights& to = workspace.gathers[packet.pixel[i]].weights(places.surface[i], light);
-    to.diffuse += lobes.diffuse[i];
-    to.specular += lobes.specular[i];
-    to.white += lobes.white[i];
-  }
-}
-
 void Tracer::reflect(Packet& packet, const Hits& hits, Workspace& workspace) const {
   // Keep the lanes that met a mirror.
+  const Float8 incidence = cosine(-dot(hits.normal, packet.direction));
   for (unsigned i = 0; i < lane_count; ++i) {
     if (!packet.active[i]) continue;
     const auto material = static_cast<std::uint32_t>(hits.material[i]);
-    const float mirror = scene_.materials[material].mirror;
-    if (mirror > 0) {
-      packet.throughput[i] *= mirror;
-      packet.path[i] = workspace.gathers[packet.pixel[i]].path(packet.path[i], material);
+    const RenderMaterial& from = scene_.materials[material];
+    if (from.mirror > 0) {
+      packet.throughput[i] *= from.mirror;
+      packet.path[i] = workspace.gathers[packet.pixel[i]].path(
+          packet.path[i], material, from.fresnel == FresnelKind::none ? 0 : incidence[i]);
     } else {
       packet.active[i] = 0;
     }
@@ -256,6 +143,7 @@ void Tracer::reflect(Packet& packet, const Hits& hits, Workspace& workspace) con
   const Int8 above = dot(smooth, hits.geometric_normal) > 0.0f;
   packet.direction = normalize(select(above, smooth, mirrored(hits.geometric_normal)));
   packet.origin = packet.point;
+  packet.from_eye = false;
 }
 
 }  // namespace metamer::cpu

@@ -7,14 +7,16 @@
 #include "metamer/v1/plan.pb.h"
 #include "server/cpu/embree_scene.h"
 #include "server/cpu/sample_pattern.h"
+#include "server/cpu/shading.h"
 #include "server/film/film.h"
 #include "server/methods/method.h"
 
 namespace metamer::cpu {
 
-/// Traces rays in packets of eight samples and gathers weights; knows nothing of spectra. A packet
-/// belongs to one pixel, or, below eight samples, to a small block of pixels at a fixed place of
-/// the picture: so the result depends on neither tiles nor threads. Immutable, shared by threads.
+/// Traces rays in packets of eight samples, which Shading turns into weights; knows nothing of
+/// spectra. A packet belongs to one pixel, or, below eight samples, to a small block of pixels at a
+/// fixed place of the picture: so the result depends on neither tiles nor threads. Immutable,
+/// shared by threads.
 class Tracer {
  public:
   /// The references must outlive the tracer.
@@ -22,11 +24,7 @@ class Tracer {
          const v1::Plan& plan);
 
   /// A thread's working memory.
-  struct Workspace {
-    std::vector<Gather> gathers;  ///< One for each pixel of a block.
-    Method::Scratch scratch;
-    std::uint64_t rays = 0;  ///< Camera, mirror and shadow rays since it was set.
-  };
+  using Workspace = cpu::Workspace;
   Workspace make_workspace() const;
 
   /// Renders the pixels of `tile`, whose corner lies on multiples of 8, into the film. Looks at
@@ -36,37 +34,25 @@ class Tracer {
               const std::atomic<bool>& cancelled, std::atomic<std::uint64_t>& work) const;
 
  private:
-  struct Packet;
-  struct Places;
   /// Eight samples of a block, from its corner, in pixels.
   struct Samples {
     Float8 x{}, y{};
     Int8 active{};
     std::array<std::uint32_t, 8> pixel{};  ///< Of the block, row by row.
   };
-  struct Light {
-    bool directional;
-    Vec8 place;
-    float reference_squared;  ///< 0: no falloff.
-  };
 
   void prepare_samples();
   void render_block(std::uint32_t x, std::uint32_t y, const Film& film, Workspace& workspace) const;
   void trace(Packet& packet, Workspace& workspace) const;
-  void shade(const Packet& packet, const Hits& hits, Workspace& workspace) const;
-  Places find_places(const Packet& packet, const Hits& hits, Workspace& workspace) const;
-  models::LobeLanes evaluate(const Hits& hits, Int8 lit, const models::AngleLanes& angles) const;
-  void gather(const Packet& packet, const Places& places, std::size_t light,
-              const models::LobeLanes& lobes, Int8 lit, Workspace& workspace) const;
   void reflect(Packet& packet, const Hits& hits, Workspace& workspace) const;
 
   const RenderScene& scene_;
   const EmbreeScene& geometry_;
   const Method& method_;
+  Shading shading_;
   unsigned depth_, spp_;
   std::uint32_t block_width_, block_height_;  ///< Pixels of a packet below eight samples; else 1×1.
   std::vector<Samples> samples_;              ///< Of one block.
-  std::vector<Light> lights_;
   Vec8 eye_, corner_, across_,
       down_;  ///< Direction = corner + x across + y down, x and y in pixels.
 };

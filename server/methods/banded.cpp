@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cassert>
 
+#include "server/methods/fresnel_table.h"
+#include "server/models/lanes.h"
+
 namespace metamer {
 namespace {
 
@@ -24,6 +27,19 @@ void add_lobes(std::size_t n, Row carrier, ConstRow light, ConstRow diffuse, Con
 
 void add_reflected(std::size_t n, Row carrier, ConstRow incoming, ConstRow specular) {
   for (std::size_t i = 0; i < n; ++i) carrier[i] += incoming[i] * specular[i];
+}
+
+/// Through Schlick's Fresnel term, E[2.2-12]: f + (1 − f) rise.
+void add_schlick(std::size_t n, Row carrier, ConstRow incoming, ConstRow specular, float rise) {
+  for (std::size_t i = 0; i < n; ++i)
+    carrier[i] += incoming[i] * (specular[i] + (1 - specular[i]) * rise);
+}
+
+/// Through a Fresnel term `fraction` of the way between two nodes.
+void add_between(std::size_t n, Row carrier, ConstRow incoming, ConstRow below, ConstRow above,
+                 float fraction) {
+  for (std::size_t i = 0; i < n; ++i)
+    carrier[i] += incoming[i] * (below[i] + fraction * (above[i] - below[i]));
 }
 
 /// A dot product in 16 partial sums: vectorised whatever the compiler may assume of addition, and
@@ -49,44 +65,75 @@ void BandTable::set(std::size_t index, const std::vector<double>& values) {
                  [](double value) { return static_cast<float>(value); });
 }
 
-BandedMethod::BandedMethod(BandTable lights, BandTable properties, BandTable xyz,
-                           const std::vector<RenderMaterial>& materials)
-    : lights_(std::move(lights)), properties_(std::move(properties)), xyz_(std::move(xyz)) {
+BandedMethod::BandedMethod(Tables tables, const std::vector<RenderMaterial>& materials)
+    : tables_(std::move(tables)) {
   for (const RenderMaterial& material : materials)
-    materials_.push_back({material.diffuse, material.specular});
+    materials_.push_back({material.fresnel, material.diffuse, material.specular,
+                          material.constants * fresnel_nodes});
+}
+
+/// Adds what one surface reflects of each light.
+void BandedMethod::reflect(const Gather& gather, std::size_t surface, float* carrier) const {
+  const std::size_t n = tables_.xyz.stride();
+  const Spectra& spectra = materials_[gather.surfaces()[surface].material];
+  const float* diffuse = tables_.properties.row(spectra.diffuse);
+  const float* specular = tables_.properties.row(spectra.specular);
+  const auto weights = gather.weights(surface);
+  for (std::size_t light = 0; light < weights.size(); ++light) {
+    const LobeWeights& w = weights[light];
+    if (w.specular != 0 || w.white != 0)
+      add_lobes(n, carrier, tables_.lights.row(light), diffuse, specular, w);
+    else if (w.diffuse != 0)
+      add_diffuse(n, carrier, tables_.lights.row(light), diffuse, w.diffuse);
+  }
+}
+
+/// Adds what the last mirror of `path` reflects.
+void BandedMethod::add_mirror(const Gather::Path& path, const float* from, float* to) const {
+  const std::size_t n = tables_.xyz.stride();
+  const Spectra& spectra = materials_[path.material];
+  switch (spectra.fresnel) {
+    case FresnelKind::none:
+      add_reflected(n, to, from, tables_.properties.row(spectra.specular));
+      break;
+    case FresnelKind::schlick:
+      add_schlick(n, to, from, tables_.properties.row(spectra.specular),
+                  models::schlick_rise(path.cosine));
+      break;
+    case FresnelKind::exact: {
+      const FresnelPlace place = fresnel_place(path.cosine);
+      const float* below = tables_.fresnel.row(spectra.first_node + place.below);
+      add_between(n, to, from, below, below + n, place.fraction);
+      break;
+    }
+  }
 }
 
 std::array<float, 3> BandedMethod::resolve(const Gather& gather, float scale,
                                            Scratch& scratch) const {
-  const std::size_t n = xyz_.stride();
+  const std::size_t n = tables_.xyz.stride();
   const auto paths = gather.paths();
   scratch.assign(paths.size() * n, 0.0f);
   const auto carrier = [&](std::size_t path) { return scratch.data() + path * n; };
 
   // Reflect each light by each surface, at the end of the surface's path.
   const auto surfaces = gather.surfaces();
-  for (std::size_t s = 0; s < surfaces.size(); ++s) {
-    const Spectra& spectra = materials_[surfaces[s].material];
-    const float* diffuse = properties_.row(spectra.diffuse);
-    const float* specular = properties_.row(spectra.specular);
-    const auto weights = gather.weights(s);
-    for (std::size_t light = 0; light < weights.size(); ++light) {
-      const LobeWeights& w = weights[light];
-      if (w.specular != 0 || w.white != 0)
-        add_lobes(n, carrier(surfaces[s].path), lights_.row(light), diffuse, specular, w);
-      else if (w.diffuse != 0)
-        add_diffuse(n, carrier(surfaces[s].path), lights_.row(light), diffuse, w.diffuse);
-    }
+  for (std::size_t s = 0; s < surfaces.size(); ++s) reflect(gather, s, carrier(surfaces[s].path));
+  for (const Gather::FresnelWeight& one : gather.fresnel()) {
+    const Gather::Surface& surface = surfaces[one.surface];
+    add_diffuse(n, carrier(surface.path), tables_.lights.row(one.light),
+                tables_.fresnel.row(materials_[surface.material].first_node + one.node),
+                one.weight);
   }
 
   // Carry the light back over the mirrors, the longest paths first.
   for (std::size_t path = paths.size(); path-- > 1;)
-    add_reflected(n, carrier(paths[path].parent), carrier(path),
-                  properties_.row(materials_[paths[path].material].specular));
+    add_mirror(paths[path], carrier(path), carrier(paths[path].parent));
 
   // Integrate what reaches the eye.
-  return {scale * dot(n, carrier(0), xyz_.row(0)), scale * dot(n, carrier(0), xyz_.row(1)),
-          scale * dot(n, carrier(0), xyz_.row(2))};
+  return {scale * dot(n, carrier(0), tables_.xyz.row(0)),
+          scale * dot(n, carrier(0), tables_.xyz.row(1)),
+          scale * dot(n, carrier(0), tables_.xyz.row(2))};
 }
 
 }  // namespace metamer

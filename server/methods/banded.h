@@ -29,18 +29,25 @@ class BandTable {
 /// band by band, and XYZ is three dot products. `point` has a band a wavelength, `rgb` has three.
 class BandedMethod : public Method {
  public:
-  /// `lights`: a row a light of the scene. `properties`: a row a spectrum of the scene.
-  /// `xyz`: three rows, the weights of X, Y and Z.
-  BandedMethod(BandTable lights, BandTable properties, BandTable xyz,
-               const std::vector<RenderMaterial>& materials);
+  struct Tables {
+    BandTable lights;      ///< A row a light of the scene.
+    BandTable properties;  ///< A row a property spectrum of the scene.
+    BandTable fresnel;     ///< fresnel_nodes rows for each of the scene's optical constants.
+    BandTable xyz;         ///< Three rows, the weights of X, Y and Z.
+  };
+  BandedMethod(Tables tables, const std::vector<RenderMaterial>& materials);
 
   std::array<float, 3> resolve(const Gather& gather, float scale, Scratch& scratch) const override;
 
  private:
   struct Spectra {
-    std::uint32_t diffuse, specular;
+    FresnelKind fresnel;
+    std::uint32_t diffuse, specular, first_node;
   };
-  BandTable lights_, properties_, xyz_;
+  void reflect(const Gather& gather, std::size_t surface, float* carrier) const;
+  void add_mirror(const Gather::Path& path, const float* from, float* to) const;
+
+  Tables tables_;
   std::vector<Spectra> materials_;
 };
 

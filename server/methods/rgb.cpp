@@ -4,6 +4,7 @@
 #include "common/color/xyz.h"
 #include "common/scene/settings.h"
 #include "server/methods/banded.h"
+#include "server/methods/fresnel_table.h"
 
 namespace metamer {
 namespace {
@@ -18,11 +19,10 @@ std::vector<double> light_rgb(const ObserverWeights& observer, const Spectrum& e
   return {rgb.begin(), rgb.end()};
 }
 
-/// Linear sRGB of a surface under D65 of luminance 1.
-std::vector<double> surface_rgb(const ObserverWeights& observer, const Spectrum& property,
+/// Linear sRGB, under D65 of luminance 1, of a surface that reflects so much at each of `nm`.
+std::vector<double> surface_rgb(const ObserverWeights& observer, std::vector<double> reflected,
                                 const std::vector<double>& nm) {
   const auto d65 = resample(*cie::illuminant("D65"), nm, Outside::zero).values;
-  auto reflected = resample(property, nm, Outside::hold).values;
   for (std::size_t i = 0; i < nm.size(); ++i) reflected[i] *= d65[i];
   const double scale = luminance_scale(observer, d65, 1);
   const Xyz xyz = to_xyz(observer, reflected);
@@ -45,13 +45,27 @@ std::unique_ptr<Method> make_rgb(const v1::Plan& plan, const RenderScene& scene)
 
   BandTable properties(scene.properties.size(), 3);
   for (std::size_t i = 0; i < scene.properties.size(); ++i)
-    properties.set(i, surface_rgb(observer, scene.properties[i], wavelengths.nm()));
+    properties.set(
+        i,
+        surface_rgb(observer, resample(scene.properties[i], wavelengths.nm(), Outside::hold).values,
+                    wavelengths.nm()));
+
+  BandTable fresnel(scene.constants.size() * fresnel_nodes, 3);
+  for (std::size_t i = 0; i < scene.constants.size(); ++i) {
+    const ConstantsAt constants = resample(scene.constants[i], wavelengths.nm());
+    for (std::uint32_t node = 0; node < fresnel_nodes; ++node)
+      fresnel.set(
+          i * fresnel_nodes + node,
+          surface_rgb(observer, fresnel_at(constants, fresnel_node(node)), wavelengths.nm()));
+  }
 
   BandTable xyz(3, 3);
   for (std::size_t i = 0; i < 3; ++i)
     xyz.set(i, {srgb::to_xyz_matrix()[i].begin(), srgb::to_xyz_matrix()[i].end()});
-  return std::make_unique<BandedMethod>(std::move(lights), std::move(properties), std::move(xyz),
-                                        scene.materials);
+  return std::make_unique<BandedMethod>(
+      BandedMethod::Tables{std::move(lights), std::move(properties), std::move(fresnel),
+                           std::move(xyz)},
+      scene.materials);
 }
 
 }  // namespace metamer

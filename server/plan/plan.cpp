@@ -5,7 +5,6 @@
 
 #include "common/scene/settings.h"
 #include "server/methods/method.h"
-#include "server/models/models.h"
 
 namespace metamer {
 namespace {
@@ -21,9 +20,8 @@ std::uint32_t needed_depth(const RenderScene& scene, std::uint32_t allowed) {
 void list_models(const RenderScene& scene, v1::Plan& plan) {
   std::set<models::Model> used;
   for (const RenderObject& object : scene.objects)
-    used.insert(scene.materials[object.material].model);
-  for (const models::ModelInfo& info : models::registry())
-    if (used.contains(info.model)) plan.add_models(info.name);
+    used.insert(scene.materials[object.material].reflection.model);
+  for (const models::Model model : used) plan.add_models(models::entry(model).name);
 }
 
 /// Says where a spectrum has no data at the method's wavelengths.
@@ -42,6 +40,35 @@ void notice_gaps(const Spectrum& spectrum, const std::string& field, Outside out
   };
   say(resampled.below, "below", spectrum.nm.front());
   say(resampled.above, "above", spectrum.nm.back());
+}
+
+/// The objects of which one thing is said, told once however many they are.
+struct Group {
+  std::size_t first = 0, count = 0;
+  void add(std::size_t object) {
+    if (count++ == 0) first = object;
+  }
+  void say(const std::string& what, v1::Plan& plan) const {
+    if (count == 0) return;
+    v1::Notice* notice = plan.add_notice();
+    notice->set_field("object[" + std::to_string(first) + "]");
+    notice->set_message(what + (count > 1 ? " (and " + std::to_string(count - 1) + " more)" : ""));
+  }
+};
+
+/// Says which tangents anisotropic materials see, and where a kind of shading means nothing.
+void notice_objects(const RenderScene& scene, v1::Plan& plan) {
+  Group by_uv, by_axis, spheres;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const RenderObject& object = scene.objects[i];
+    const bool sphere = object.shape == RenderObject::Shape::sphere;
+    if (scene.materials[object.material].anisotropic())
+      (!sphere && !scene.meshes[object.mesh].tangents.empty() ? by_uv : by_axis).add(i);
+    if (sphere && object.shading != v1::PHONG) spheres.add(i);
+  }
+  by_uv.say("its tangents point towards rising u of its UVs", plan);
+  by_axis.say("it has no UVs: its tangents point along the x axis of its transform", plan);
+  spheres.say("a sphere has no corners: it is shaded by PHONG", plan);
 }
 
 /// Says where uniform wavelengths do not come to the end that was asked for.
@@ -89,6 +116,13 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
     notice_gaps(scene.emissions[i], scene.emission_fields[i], Outside::zero, wavelengths, plan);
   for (std::size_t i = 0; i < scene.properties.size(); ++i)
     notice_gaps(scene.properties[i], scene.property_fields[i], Outside::hold, wavelengths, plan);
+  for (std::size_t i = 0; i < scene.constants.size(); ++i) {
+    const OpticalConstants& constants = scene.constants[i];
+    notice_gaps(constants.n, scene.constants_fields[i], Outside::hold, wavelengths, plan);
+    if (!constants.k.nm.empty() && constants.k.nm != constants.n.nm)
+      notice_gaps(constants.k, scene.constants_fields[i], Outside::hold, wavelengths, plan);
+  }
+  notice_objects(scene, plan);
   notice_short_end(settings.method(), wavelengths, plan);
   notice_dark_lights(scene, settings, wavelengths, plan);
   return plan;

@@ -2,12 +2,13 @@
 
 #include <google/protobuf/descriptor.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 
 #include "common/scene/limits.h"
-#include "server/models/models.h"
+#include "common/scene/reflection.h"
 #include "server/scene/mesh_import.h"
 #include "server/scene/placement.h"
 
@@ -19,6 +20,27 @@ std::string shown(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%g", value);
   return text;
+}
+
+models::Reflection<float> to_f32(const models::Reflection<double>& from) {
+  const auto numbers = [](const models::Reflection<double>::Parameters& list) {
+    models::Reflection<float>::Parameters to;
+    std::transform(list.begin(), list.end(), to.begin(),
+                   [](double value) { return static_cast<float>(value); });
+    return to;
+  };
+  models::Reflection<float> to{.model = from.model,
+                               .parameters = numbers(from.parameters),
+                               .diffuse = from.diffuse,
+                               .diffuse_parameters = numbers(from.diffuse_parameters),
+                               .slope_count = from.slope_count,
+                               .attenuation = from.attenuation,
+                               .roughness = static_cast<float>(from.roughness)};
+  for (std::size_t i = 0; i < from.slope_count; ++i) {
+    const auto& slope = from.slopes[i];
+    to.slopes[i] = {slope.slope, static_cast<float>(slope.weight), numbers(slope.parameters)};
+  }
+  return to;
 }
 
 /// Builds one scene and gathers what is wrong with it.
@@ -64,50 +86,39 @@ class Compiler {
                               : to_vector(light.position()),
          .reference_distance = light.reference_distance(),
          .luminance = light.has_luminance() ? light.luminance() : 1,
+         .solid_angle = light.has_solid_angle() ? light.solid_angle() : std::numbers::pi,
          .emission = spectrum(light.spectrum(), field + ".spectrum", SpectrumRole::emission)});
   }
 
   void material(int index) {
     const v1::Material& material = scene_.material(index);
     const std::string field = "material[" + std::to_string(index) + "]";
-    RenderMaterial to{
-        .name = material.name(),
-        .model = models::Model::lambert,
-        .parameters = {},
-        .diffuse = property(material.has_diffuse(), material.diffuse(), 0, field + ".diffuse"),
-        .specular = property(material.has_specular(), material.specular(), 1, field + ".specular"),
-        .mirror = static_cast<float>(material.mirror())};
-    to.parameters[0] = material.has_diffuseness() ? static_cast<float>(material.diffuseness()) : 1;
-    to.parameters[1] = static_cast<float>(material.specularness());
-    model(material, field, to);
-    result_.materials.push_back(std::move(to));
+    const bool exact = material.fresnel().has_dielectric() || material.fresnel().has_conductor();
+    result_.materials.push_back(
+        {.name = material.name(),
+         .reflection = to_f32(reflection_of(material)),
+         .fresnel = exact                              ? FresnelKind::exact
+                    : material.fresnel().has_schlick() ? FresnelKind::schlick
+                                                       : FresnelKind::none,
+         .constants = exact ? constants(material.fresnel(), field + ".fresnel") : 0,
+         .diffuse = property(material.has_diffuse(), material.diffuse(), 0, field + ".diffuse"),
+         .specular = property(material.has_specular(), material.specular(), 1, field + ".specular"),
+         .mirror = static_cast<float>(material.mirror())});
+    needs_tangents_ |= result_.materials.back().anisotropic();
   }
 
-  /// Reads the material's model by the names of models.def: schema and table agree by construction.
-  void model(const v1::Material& material, const std::string& field, RenderMaterial& to) {
-    const auto* oneof = v1::Material::descriptor()->FindOneofByName("model");
-    const auto* chosen = material.GetReflection()->GetOneofFieldDescriptor(material, oneof);
-    if (chosen == nullptr) return;
-    const google::protobuf::Message& own = material.GetReflection()->GetMessage(material, chosen);
-    for (const models::ModelInfo& info : models::registry()) {
-      if (info.number != chosen->number()) continue;
-      to.model = info.model;
-      for (std::size_t i = 0; i < info.parameters.size(); ++i)
-        to.parameters[2 + i] = parameter(own, info.parameters[i], field + "." + info.name);
+  /// The index of optical constants, loaded the first time that they are named.
+  std::uint32_t constants(const v1::Fresnel& fresnel, const std::string& field) {
+    const auto [place, is_new] = known_constants_.try_emplace(
+        fresnel.SerializeAsString(), static_cast<std::uint32_t>(result_.constants.size()));
+    if (is_new) {
+      auto loaded = load_fresnel(fresnel, field, assets_);
+      if (!loaded) problems_.push_back(std::move(loaded.error()));
+      result_.constants.push_back(loaded ? *std::move(loaded)
+                                         : OpticalConstants{Spectrum{{550}, {1}}, {}});
+      result_.constants_fields.push_back(field);
     }
-  }
-
-  float parameter(const google::protobuf::Message& own, const models::ParameterInfo& info,
-                  const std::string& field) {
-    const auto* member = own.GetDescriptor()->FindFieldByName(info.name);
-    if (!own.GetReflection()->HasField(own, member)) return static_cast<float>(info.default_value);
-    const double value = own.GetReflection()->GetDouble(own, member);
-    if (!(value >= info.min && value <= info.max))
-      add(field + "." + info.name, std::string(info.name) + " must lie in " + shown(info.min) +
-                                       " to " + shown(info.max) + " (it is " + shown(value) +
-                                       "); the nearest allowed value is " +
-                                       shown(value < info.min ? info.min : info.max));
-    return static_cast<float>(value);
+    return place->second;
   }
 
   std::uint32_t property(bool given, const v1::Spectrum& message, double otherwise,
@@ -137,11 +148,13 @@ class Compiler {
 
   void object(int index) {
     const v1::Object& object = scene_.object(index);
-    RenderObject to{.name = object.name(),
-                    .shape = RenderObject::Shape::mesh,
-                    .mesh = 0,
-                    .material = material_named(object.material()),
-                    .to_world = placement(object.transform())};
+    RenderObject to{
+        .name = object.name(),
+        .shape = RenderObject::Shape::mesh,
+        .mesh = 0,
+        .material = material_named(object.material()),
+        .shading = object.has_shading() ? object.shading() : scene_.settings().shading(),
+        .to_world = placement(object.transform())};
     switch (object.shape_case()) {
       case v1::Object::kMesh:
         to.mesh = mesh(object.mesh().file(), "object[" + std::to_string(index) + "].mesh.file");
@@ -189,7 +202,7 @@ class Compiler {
     const auto [place, is_new] =
         known_meshes_.try_emplace(file, static_cast<std::uint32_t>(result_.meshes.size()));
     if (is_new) {
-      auto imported = import_mesh(file, assets_);
+      auto imported = import_mesh(file, assets_, needs_tangents_);
       if (!imported) {
         imported.error().field = field;
         problems_.push_back(std::move(imported.error()));
@@ -207,6 +220,10 @@ class Compiler {
       mesh.positions.push_back(
           {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    if (needs_tangents_) {
+      const Eigen::Vector3f along = u.normalized().cast<float>();
+      mesh.tangents.assign(4, {along.x(), along.y(), along.z()});
+    }
     result_.meshes.push_back(std::move(mesh));
     return static_cast<std::uint32_t>(result_.meshes.size() - 1);
   }
@@ -227,7 +244,8 @@ class Compiler {
   const std::atomic<bool>& cancelled_;
   RenderScene result_;
   std::vector<Problem> problems_;
-  SpectrumIndex known_emissions_, known_properties_;
+  SpectrumIndex known_emissions_, known_properties_, known_constants_;
+  bool needs_tangents_ = false;  ///< Of any material.
   std::map<std::string, std::uint32_t> known_meshes_, known_materials_;
   std::vector<Eigen::AlignedBox3d> mesh_bounds_;
 };

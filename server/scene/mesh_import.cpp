@@ -3,6 +3,7 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
@@ -100,7 +101,7 @@ Result<void> check(const aiScene& scene) {
 }
 
 /// Appends one mesh of a file to the joined one.
-void append(const aiMesh& from, TriangleMesh& to) {
+void append(const aiMesh& from, bool tangents, TriangleMesh& to) {
   const auto base = static_cast<std::uint32_t>(to.positions.size());
   for (unsigned i = 0; i < from.mNumVertices; ++i) {
     const aiVector3D& position = from.mVertices[i];
@@ -110,6 +111,13 @@ void append(const aiMesh& from, TriangleMesh& to) {
     if (!std::isfinite(normal.SquareLength()) || normal.SquareLength() == 0) normal = {0, 0, 0};
     normal.NormalizeSafe();
     to.normals.push_back({normal.x, normal.y, normal.z});
+    if (!tangents) continue;
+    // Towards rising u; Assimp writes NaN where the UVs have no direction.
+    aiVector3D tangent;
+    if (from.HasTangentsAndBitangents()) tangent = from.mTangents[i];
+    if (!std::isfinite(tangent.SquareLength())) tangent = {0, 0, 0};
+    tangent.NormalizeSafe();
+    to.tangents.push_back({tangent.x, tangent.y, tangent.z});
   }
   for (unsigned i = 0; i < from.mNumFaces; ++i) {
     const aiFace& face = from.mFaces[i];
@@ -121,7 +129,8 @@ void append(const aiMesh& from, TriangleMesh& to) {
 
 }  // namespace
 
-Result<TriangleMesh> import_mesh(const std::string& name, const AssetReader& assets) {
+Result<TriangleMesh> import_mesh(const std::string& name, const AssetReader& assets,
+                                 bool tangents) {
   const auto fail = [&](std::string message) {
     return tl::unexpected(Problem{.field = {}, .file = name, .message = std::move(message)});
   };
@@ -140,15 +149,18 @@ Result<TriangleMesh> import_mesh(const std::string& name, const AssetReader& ass
   // Let it make triangles of polygons, one node of all, and normals where the file has none.
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType |
-                                       aiProcess_JoinIdenticalVertices |
-                                       aiProcess_GenSmoothNormals | aiProcess_PreTransformVertices);
+  unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_JoinIdenticalVertices |
+                   aiProcess_GenSmoothNormals | aiProcess_PreTransformVertices;
+  if (tangents) steps |= aiProcess_CalcTangentSpace;
+  scene = importer.ApplyPostProcessing(steps);
   if (scene == nullptr) return fail("holds no triangles");
 
   // Join its meshes.
   TriangleMesh mesh;
-  for (unsigned i = 0; i < scene->mNumMeshes; ++i) append(*scene->mMeshes[i], mesh);
+  for (unsigned i = 0; i < scene->mNumMeshes; ++i) append(*scene->mMeshes[i], tangents, mesh);
   if (mesh.triangles.empty()) return fail("holds no triangles");
+  const auto none = [](const std::array<float, 3>& v) { return v == std::array<float, 3>{}; };
+  if (std::all_of(mesh.tangents.begin(), mesh.tangents.end(), none)) mesh.tangents.clear();
   return mesh;
 }
 

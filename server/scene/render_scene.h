@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "common/models/reflection.h"
+#include "common/scene/fresnel.h"
 #include "common/spectral/spectrum.h"
-#include "server/models/models.h"
 
 namespace metamer {
 
@@ -15,6 +16,9 @@ namespace metamer {
 struct TriangleMesh {
   std::vector<std::array<float, 3>> positions;
   std::vector<std::array<float, 3>> normals;  ///< One for each position, unit; empty: flat.
+  /// One for each position, towards rising u; 0 where the file has no UVs; empty: nowhere, or no
+  /// material asks.
+  std::vector<std::array<float, 3>> tangents;
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
@@ -30,15 +34,26 @@ struct RenderLight {
   Eigen::Vector3d place;      ///< The position; or, if directional, the unit direction towards it.
   double reference_distance;  ///< 0: the luminance holds at every distance.
   double luminance;
+  double solid_angle;      ///< sr
   std::uint32_t emission;  ///< Index into RenderScene::emissions.
+};
+
+enum class FresnelKind : unsigned char {
+  none,     ///< `specular` is in its place.
+  schlick,  ///< E[2.2-12], `specular` at normal incidence.
+  exact,    ///< Of n and k.
 };
 
 struct RenderMaterial {
   std::string name;
-  models::Model model;
-  models::Parameters parameters;
+  models::Reflection<float> reflection;
+  FresnelKind fresnel;
+  std::uint32_t constants;          ///< Index into RenderScene::constants, where it is exact.
   std::uint32_t diffuse, specular;  ///< Indices into RenderScene::properties.
-  float mirror;                     ///< Weight of the mirror reflection, coloured by `specular`.
+  float mirror;  ///< Weight of the mirror reflection, coloured by the Fresnel term.
+
+  bool has(models::Trait trait) const { return models::entry(reflection.model).traits & trait; }
+  bool anisotropic() const;
 };
 
 struct RenderObject {
@@ -47,6 +62,7 @@ struct RenderObject {
   Shape shape;
   std::uint32_t mesh;  ///< Index into RenderScene::meshes, for a mesh.
   std::uint32_t material;
+  v1::Shading shading;
   Eigen::Affine3d to_world;
 };
 
@@ -57,12 +73,13 @@ struct RenderScene {
   std::vector<RenderLight> lights;
   std::vector<RenderMaterial> materials;
   std::vector<RenderObject> objects;
-  std::vector<TriangleMesh> meshes;  ///< Distinct files and quads.
-  std::vector<Spectrum> emissions;   ///< Distinct spectra of the lights, relative power.
-  std::vector<Spectrum> properties;  ///< Distinct spectra of the materials, 0..1.
+  std::vector<TriangleMesh> meshes;         ///< Distinct files and quads.
+  std::vector<Spectrum> emissions;          ///< Distinct spectra of the lights, relative power.
+  std::vector<Spectrum> properties;         ///< Distinct spectra of the materials, 0..1.
+  std::vector<OpticalConstants> constants;  ///< Distinct ones of the exact Fresnel terms.
 
   /// The field of the scene that a spectrum was first named in: "material[3].diffuse".
-  std::vector<std::string> emission_fields, property_fields;
+  std::vector<std::string> emission_fields, property_fields, constants_fields;
 
   std::uint64_t triangle_count() const {
     std::uint64_t n = 0;
@@ -70,5 +87,12 @@ struct RenderScene {
     return n;
   }
 };
+
+inline bool RenderMaterial::anisotropic() const {
+  if (has(models::anisotropic)) return true;
+  for (std::size_t i = 0; i < reflection.slope_count; ++i)
+    if (models::entry(reflection.slopes[i].slope).traits & models::anisotropic) return true;
+  return false;
+}
 
 }  // namespace metamer

@@ -1,9 +1,30 @@
 #include "server/worker/capabilities.h"
 
+#include "common/models/registry.h"
 #include "metamer/v1/scene.pb.h"
-#include "server/models/models.h"
 
 namespace metamer {
+
+namespace {
+
+void add(const models::Entry& entry, v1::Capabilities& to) {
+  v1::ModelInfo* model = to.add_model();
+  model->set_kind(models::kind_name(entry.kind));
+  model->set_name(entry.name);
+  model->set_citation(entry.citation);
+  model->set_equation(entry.equation);
+  for (const models::Parameter& from : entry.parameters) {
+    v1::ParameterInfo* parameter = model->add_parameter();
+    parameter->set_name(from.name);
+    parameter->set_default_value(from.default_value);
+    parameter->set_min(from.min);
+    parameter->set_max(from.max);
+    parameter->set_unit(from.unit);
+    parameter->set_meaning(from.meaning);
+  }
+}
+
+}  // namespace
 
 v1::Capabilities capabilities(unsigned threads) {
   v1::Capabilities result;
@@ -11,20 +32,9 @@ v1::Capabilities capabilities(unsigned threads) {
   result.set_threads(threads);
   const auto* methods = v1::Method::descriptor()->FindOneofByName("method");
   for (int i = 0; i < methods->field_count(); ++i) result.add_method(methods->field(i)->name());
-  for (const models::ModelInfo& info : models::registry()) {
-    v1::ModelInfo* model = result.add_model();
-    model->set_name(info.name);
-    model->set_citation(info.citation);
-    for (const models::ParameterInfo& parameter : info.parameters) {
-      v1::ParameterInfo* to = model->add_parameter();
-      to->set_name(parameter.name);
-      to->set_default_value(parameter.default_value);
-      to->set_min(parameter.min);
-      to->set_max(parameter.max);
-      to->set_unit(parameter.unit);
-      to->set_meaning(parameter.meaning);
-    }
-  }
+  using models::Kind;
+  for (const Kind kind : {Kind::model, Kind::diffuse, Kind::slope, Kind::attenuation})
+    for (const models::Entry& entry : models::registry(kind)) add(entry, result);
   return result;
 }
 

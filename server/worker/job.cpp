@@ -11,6 +11,7 @@
 #include "common/digest.h"
 #include "common/scene/limits.h"
 #include "common/scene/settings.h"
+#include "server/cpu/ticks.h"
 #include "server/cpu/tracer.h"
 #include "server/plan/plan.h"
 #include "server/scene/camera_space.h"
@@ -128,6 +129,8 @@ void Job::render(const v1::RenderTiles& message) {
     return prepare() && render_tiles(message, {film.xyz(), plan_.width(), plan_.height()});
   });
   if (!rendered) return send_stopped();
+  timing_.set_models(static_cast<double>(model_ticks_) /
+                     static_cast<double>(std::max<std::uint64_t>(ticks_, 1)));
   v1::WorkerEnvelope done = envelope();
   *done.mutable_done()->mutable_timing() = timing_;
   send_last(done);
@@ -155,6 +158,7 @@ bool Job::render_tiles(const v1::RenderTiles& message, const Film& film) {
   std::atomic<int> next = 0;
   tbb::parallel_for(0u, plan_.threads(), [&](unsigned) {
     cpu::Tracer::Workspace workspace = tracer.make_workspace();
+    const std::uint64_t start = cpu::ticks();
     for (int i = next++; i < message.tile_size() && !stopped_; i = next++) {
       const v1::TileRect& tile = message.tile(i);
       workspace.rays = 0;
@@ -166,6 +170,8 @@ bool Job::render_tiles(const v1::RenderTiles& message, const Film& film) {
       tile_done.mutable_tile_done()->set_rays(workspace.rays);
       link_.send(tile_done);
     }
+    ticks_ += cpu::ticks() - start;
+    model_ticks_ += cpu::model_ticks(workspace);
   });
   return !stopped_;
 }

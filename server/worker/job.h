@@ -70,6 +70,7 @@ class Job {
   std::optional<cpu::EmbreeScene> geometry_;
   v1::Plan plan_;
   v1::Timing timing_;
+  std::atomic<std::uint64_t> ticks_ = 0, model_ticks_ = 0;  ///< Of all threads, while rendering.
 };
 
 }  // namespace metamer

@@ -3,10 +3,12 @@
 //     ρ = d C_D (N·L)
 //
 // Reciprocal but for its N·L; its hemispherical reflectance is d C_D.
-Lobes lambert(Angles angles, Lambert m) {
+Lobes lambert(Angles angles, Terms terms, Lambert m) {
     Lobes lobes;
-    lobes.diffuse = m.diffuseness * angles.n_dot_l;
+    lobes.diffuse = m.diffuseness * terms.diffuse;
     lobes.specular = Real(0);
     lobes.white = Real(0);
+    lobes.fresnel = Real(0);
+    lobes.cosine = Real(0);
     return lobes;
 }

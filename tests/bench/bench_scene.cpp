@@ -1,6 +1,7 @@
 #include "tests/bench/bench_scene.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "common/spectral/cie.h"
 
@@ -51,8 +52,8 @@ RenderScene make_ground(unsigned side, bool mirrors) {
 
   scene.emissions = {*cie::illuminant("D65"), *cie::illuminant("F11")};
   scene.emission_fields = {"light[0].spectrum", "light[1].spectrum"};
-  scene.lights = {{"left", false, {-1.5, 2.5, 1}, 0, 0.7, 0},
-                  {"right", false, {1.8, 1.6, -0.5}, 0, 0.5, 1}};
+  scene.lights = {{"left", false, {-1.5, 2.5, 1}, 0, 0.7, std::numbers::pi, 0},
+                  {"right", false, {1.8, 1.6, -0.5}, 0, 0.5, std::numbers::pi, 1}};
 
   scene.properties = {Spectrum{{550}, {1}}};
   scene.property_fields = {"material[0].specular"};
@@ -62,14 +63,17 @@ RenderScene make_ground(unsigned side, bool mirrors) {
     scene.property_fields.push_back("material[" + std::to_string(i) + "].diffuse");
     const bool shiny = i % 2 == 1;
     RenderMaterial material{.name = name,
-                            .model = shiny ? models::Model::blinn_phong : models::Model::lambert,
-                            .parameters = {0.8f, shiny ? 0.3f : 0.0f, 60.0f},
+                            .reflection = {},
+                            .fresnel = FresnelKind::none,
+                            .constants = 0,
                             .diffuse = i + 1,
                             .specular = 0,
                             .mirror = mirrors && shiny ? 0.3f : 0.0f};
+    material.reflection.model = shiny ? models::Model::blinn_phong : models::Model::lambert;
+    material.reflection.parameters = {0.8f, shiny ? 0.3f : 0.0f, 60.0f};
     scene.materials.push_back(std::move(material));
     scene.meshes.push_back(stripe(-2 + 4.0 * i / stripes, 4.0 / stripes, side / stripes, side));
-    scene.objects.push_back({name, RenderObject::Shape::mesh, i, i, Eigen::Affine3d::Identity()});
+    scene.objects.push_back({name, RenderObject::Shape::mesh, i, i, v1::PHONG, Eigen::Affine3d::Identity()});
   }
   return scene;
 }

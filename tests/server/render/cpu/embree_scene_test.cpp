@@ -41,7 +41,8 @@ TEST(EmbreeScene, RaysThatAreNotFiniteNeverReachEmbree) {
 }
 
 TEST(EmbreeScene, ASphereIsHitWhereTheQuadraticSays) {
-  const auto geometry = EmbreeScene::build(unit_ball(), never);
+  const RenderScene scene = unit_ball();
+  const auto geometry = EmbreeScene::build(scene, never);
   Vec8 origin = broadcast({0, 0, 5}), direction = broadcast({0, 0, -1});
   for (int i = 0; i < lane_count; ++i) origin.x[i] = 0.14f * static_cast<float>(i);
   const Hits hits = geometry->intersect(origin, direction, Int8{} - 1);
@@ -65,9 +66,9 @@ TEST(EmbreeScene, AnInstanceIsWhereItsTransformPutsIt) {
   Eigen::Affine3d place = Eigen::Translation3d(0.3, 0.2, 1) *
                           Eigen::AngleAxisd(0.5, Eigen::Vector3d(1, 2, 3).normalized()) *
                           Eigen::Scaling(1.0, 2.0, 3.0);
-  pair.objects = {
-      {"a", RenderObject::Shape::mesh, 0, 0, place},
-      {"b", RenderObject::Shape::mesh, 0, 0, Eigen::Affine3d(Eigen::Translation3d(9, 9, 9))}};
+  pair.objects = {{"a", RenderObject::Shape::mesh, 0, 0, v1::PHONG, place},
+                  {"b", RenderObject::Shape::mesh, 0, 0, v1::PHONG,
+                   Eigen::Affine3d(Eigen::Translation3d(9, 9, 9))}};
   RenderScene alone = pair;
   alone.objects.pop_back();
 
@@ -87,7 +88,8 @@ TEST(EmbreeScene, AnInstanceIsWhereItsTransformPutsIt) {
 
 TEST(EmbreeScene, ACancelledBuildGivesNothing) {
   const std::atomic<bool> at_once = true;
-  EXPECT_FALSE(EmbreeScene::build(unit_ball(), at_once).has_value());
+  const RenderScene scene = unit_ball();
+  EXPECT_FALSE(EmbreeScene::build(scene, at_once).has_value());
 }
 
 }  // namespace

@@ -43,8 +43,8 @@ Gather example_gather() {
   const auto seen = gather.surface(0, 0);
   gather.weights(seen, 0) = {0.5f, 0.25f, 0};
   gather.weights(seen, 1) = {0.125f, 0, 0};
-  const auto once = gather.path(0, 1);
-  const auto twice = gather.path(once, 1);
+  const auto once = gather.path(0, 1, 0);
+  const auto twice = gather.path(once, 1, 0);
   gather.weights(gather.surface(twice, 0), 0) = {0.25f, 0.5f, 0.125f};
   return gather;
 }
@@ -152,13 +152,14 @@ TEST(Rgb, IsRightUnderD65AndWrongUnderF11) {
 
 TEST(Gather, NeverHoldsTheSameCombinationTwice) {
   Gather gather(3);
-  EXPECT_EQ(gather.path(0, 7), gather.path(0, 7));
-  EXPECT_NE(gather.path(0, 7), gather.path(0, 8));
-  EXPECT_NE(gather.path(0, 7), gather.path(gather.path(0, 7), 7));
+  EXPECT_EQ(gather.path(0, 7, 0), gather.path(0, 7, 0));
+  EXPECT_NE(gather.path(0, 7, 0), gather.path(0, 8, 0));
+  EXPECT_NE(gather.path(0, 7, 0), gather.path(gather.path(0, 7, 0), 7, 0));
+  EXPECT_NE(gather.path(0, 7, 0), gather.path(0, 7, 0.5f));
   EXPECT_EQ(gather.surface(1, 7), gather.surface(1, 7));
   EXPECT_NE(gather.surface(1, 7), gather.surface(0, 7));
   EXPECT_EQ(gather.surfaces().size(), 2u);
-  EXPECT_EQ(gather.paths().size(), 4u);
+  EXPECT_EQ(gather.paths().size(), 5u);
   gather.clear();
   EXPECT_EQ(gather.surfaces().size(), 0u);
   EXPECT_EQ(gather.paths().size(), 1u);

@@ -45,20 +45,20 @@ TEST(Compile, AParameterOutsideItsRangeNamesTheNearestAllowedValue) {
   ASSERT_EQ(result.error().size(), 1u);
   EXPECT_EQ(result.error()[0].field, "material[0].blinn_phong.shininess");
   EXPECT_EQ(result.error()[0].message,
-            "shininess must lie in 1 to 1e+06 (it is 0.5); the nearest allowed value is 1");
+            "shininess must lie in 1..1e+06 (it is 0.5); the nearest allowed value is 1");
 }
 
 TEST(Compile, ParametersFollowTheirTable) {
   const auto given = compile_with(
       scene("diffuseness: 0.25 specularness: 0.5 blinn_phong { shininess: 12 }", ball), {});
-  EXPECT_EQ(given->materials[0].model, models::Model::blinn_phong);
-  EXPECT_EQ(given->materials[0].parameters[0], 0.25f);
-  EXPECT_EQ(given->materials[0].parameters[1], 0.5f);
-  EXPECT_EQ(given->materials[0].parameters[2], 12);
+  EXPECT_EQ(given->materials[0].reflection.model, models::Model::blinn_phong);
+  EXPECT_EQ(given->materials[0].reflection.parameters[0], 0.25f);
+  EXPECT_EQ(given->materials[0].reflection.parameters[1], 0.5f);
+  EXPECT_EQ(given->materials[0].reflection.parameters[2], 12);
   const auto left_out = compile_with(scene("blinn_phong {}", ball), {});
-  EXPECT_EQ(left_out->materials[0].parameters[0], 1);
-  EXPECT_EQ(left_out->materials[0].parameters[1], 0);
-  EXPECT_EQ(left_out->materials[0].parameters[2], 60);
+  EXPECT_EQ(left_out->materials[0].reflection.parameters[0], 1);
+  EXPECT_EQ(left_out->materials[0].reflection.parameters[1], 0);
+  EXPECT_EQ(left_out->materials[0].reflection.parameters[2], 60);
 }
 
 TEST(Compile, TheSameSpectrumAndTheSameMeshAreLoadedOnce) {
@@ -164,7 +164,8 @@ TEST(Compile, ATransformThatThrowsItsObjectOutOfTheWorldIsAnError) {
 
 TEST(Compile, EverythingWrongIsReportedTogether) {
   const auto result =
-      compile_with(scene("diffuse { file: 'no.sp' } blinn_phong { shininess: 2e6 }",
+      compile_with(scene("diffuse { file: 'no.sp' } fresnel { conductor { n { file: 'no.n' } k { "
+                         "constant: 3 } } } hall_greenberg {}",
                          "object { name: 'o' material: 'm' mesh { file: 'no.obj' } }"),
                    {});
   ASSERT_FALSE(result);

@@ -1,0 +1,109 @@
+#include "client/cli/bench_scene.h"
+
+#include <google/protobuf/descriptor.h>
+
+#include "common/models/registry.h"
+
+namespace metamer::cli {
+namespace {
+
+using models::Entry;
+using models::Kind;
+
+constexpr int side = 6;  ///< Spheres in a row.
+constexpr unsigned width = 320, height = 240, samples = 16, mirrors = 2;
+
+void set(v1::Vec3& to, double x, double y, double z) {
+  to.set_x(x);
+  to.set_y(y);
+  to.set_z(z);
+}
+
+void add_light(v1::Scene& scene, const char* standard, double x, double luminance) {
+  v1::Light& light = *scene.add_light();
+  set(*light.mutable_position(), x, 4, 2);
+  light.mutable_spectrum()->set_standard(standard);
+  light.set_luminance(luminance);
+}
+
+/// A floor and a field of spheres under two lights, all of one material that mirrors a little: the
+/// camera sees a model wherever it looks.
+v1::Scene field() {
+  v1::Scene scene;
+  set(*scene.mutable_camera()->mutable_eye(), 0, 2.4, 3.4);
+  set(*scene.mutable_camera()->mutable_target(), 0, 0, -0.6);
+  add_light(scene, "D65", -2, 0.7);
+  add_light(scene, "F11", 3, 0.4);
+  v1::Material& material = *scene.add_material();
+  material.set_name("all");
+  material.mutable_diffuse()->set_constant(0.6);
+  material.mutable_specular()->set_constant(0.8);
+  material.set_mirror(0.2);
+  v1::Object& floor = *scene.add_object();
+  floor.set_material("all");
+  set(*floor.mutable_quad()->mutable_corner(), -20, 0, 10);
+  set(*floor.mutable_quad()->mutable_u(), 40, 0, 0);
+  set(*floor.mutable_quad()->mutable_v(), 0, 0, -40);
+  for (int i = 0; i < side * side; ++i) {
+    v1::Object& ball = *scene.add_object();
+    ball.set_material("all");
+    set(*ball.mutable_sphere()->mutable_center(), 0.6 * (i % side) - 1.5, 0.25,
+        1.2 - 0.6 * (i / side));
+    ball.mutable_sphere()->set_radius(0.25);
+  }
+  v1::Settings& settings = *scene.mutable_settings();
+  settings.set_width(width);
+  settings.set_height(height);
+  settings.set_spp(samples);
+  settings.set_depth(mirrors);
+  v1::Point& point = *settings.mutable_method()->mutable_point();
+  point.set_from(400);
+  point.set_to(700);
+  point.set_step(1);
+  return scene;
+}
+
+/// Sets the material's member that a line of models.def stands for, with its defaults.
+void choose(v1::Material& material, const Entry& entry) {
+  const auto* field = v1::Material::descriptor()->FindFieldByNumber(entry.number);
+  material.GetReflection()->MutableMessage(&material, field);
+  if (entry.kind == Kind::model && (entry.traits & models::weighted)) {
+    material.set_diffuseness(0.6);
+    material.set_specularness(0.4);
+  }
+}
+
+BenchCase case_of(const Entry& model) {
+  BenchCase one{model.name, field()};
+  choose(*one.scene.mutable_material(0), model);
+  return one;
+}
+
+}  // namespace
+
+std::vector<BenchCase> model_cases() {
+  std::vector<BenchCase> cases = {case_of(models::entry(models::Model::blinn_phong))};
+  for (const Entry& model : models::registry(Kind::model))
+    if (model.name != cases[0].name) cases.push_back(case_of(model));
+  for (const Entry& model : models::registry(Kind::model)) {
+    if (!(model.traits & models::has_fresnel)) continue;
+    cases.push_back(case_of(model));
+    cases.back().name += ", conductor Au";
+    v1::Material& material = *cases.back().scene.mutable_material(0);
+    material.mutable_fresnel()->mutable_conductor()->set_metal("Au");
+  }
+  for (const Entry& term : models::registry(Kind::diffuse)) {
+    cases.push_back(case_of(models::entry(models::Model::lambert)));
+    cases.back().name += std::string(", ") + term.name;
+    choose(*cases.back().scene.mutable_material(0), term);
+  }
+  return cases;
+}
+
+std::string bench_scene_text() {
+  return std::to_string(side * side) + " spheres, 2 lights, " + std::to_string(mirrors) +
+         " mirror reflections, point at 301 wavelengths, " + std::to_string(width) + "x" +
+         std::to_string(height) + ", " + std::to_string(samples) + " samples per pixel";
+}
+
+}  // namespace metamer::cli

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "metamer/v1/scene.pb.h"
+
+namespace metamer::cli {
+
+/// One row of `metamer bench models`.
+struct BenchCase {
+  std::string name;
+  v1::Scene scene;
+};
+
+/// The same scene with each model of models.def, Blinn–Phong first; then the models with a Fresnel
+/// term with an exact one, and Lambert with each diffuse term.
+std::vector<BenchCase> model_cases();
+
+/// What the scene is, in words.
+std::string bench_scene_text();
+
+}  // namespace metamer::cli

@@ -1,0 +1,80 @@
+// Diagrams of the models, drawn by gnuplot from numbers that are kept beside them.
+#include <filesystem>
+
+#include "client/cli/commands.h"
+#include "client/cli/curves.h"
+#include "client/cli/gnuplot.h"
+#include "client/cli/report.h"
+#include "client/cli/source_figures.h"
+
+namespace metamer::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the command line asks for.
+Result<std::vector<Figure>> chosen_figures(const PlotOptions& options) {
+  if (options.figures) {
+    if (!options.names.empty() || !options.set.empty())
+      return problem("--figures takes neither names nor --set");
+    return source_figures();
+  }
+  if (options.names.empty())
+    return problem(
+        "name a model, such as blinn_phong, or say --figures; `metamer models` lists them");
+
+  std::vector<CatalogueItem> items;
+  for (const std::string& name : options.names) {
+    const auto found = find_items(name);
+    if (!found) return tl::unexpected(found.error());
+    items.insert(items.end(), found->begin(), found->end());
+  }
+  const auto values = parse_values(options.set, items);
+  if (!values) return tl::unexpected(values.error());
+  std::vector<Figure> figures;
+  for (const CatalogueItem& item : items) figures.push_back(figure_of(item, *values));
+  return figures;
+}
+
+}  // namespace
+
+ExitCode plot_models(const PlotOptions& options) {
+  Report report(options.json);
+  const auto figures = chosen_figures(options);
+  if (!figures) {
+    report.error(figures.error().message);
+    return report.finish(ExitCode::bad_input);
+  }
+  const fs::path folder = options.folder;
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure) {
+    report.error(quoted(options.folder) + ": no such folder can be made: " + failure.message());
+    return report.finish(ExitCode::other);
+  }
+
+  // The numbers need no gnuplot: all of them are written, whatever becomes of the pictures.
+  ExitCode code = ExitCode::done;
+  const auto keep = [&](const fs::path& file, const Result<void>& written) {
+    if (written) {
+      report.document()["files"].push_back(file.string());
+      report.line(file.string());
+    } else {
+      code = ExitCode::other;
+      report.problem(written.error(), {});
+    }
+    return written.has_value();
+  };
+  for (const Figure& figure : *figures) {
+    const fs::path file = folder / (figure.name + ".csv");
+    keep(file, write_text_file(file, csv_text(figure)));
+  }
+  for (const Figure& figure : *figures) {
+    const fs::path file = folder / (figure.name + ".png");
+    // What keeps one from being drawn keeps all.
+    if (!keep(file, draw_png(gnuplot_script(figure), file))) break;
+  }
+  return report.finish(code);
+}
+
+}  // namespace metamer::cli

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "client/cli/catalogue.h"
+
+/// How people read the catalogue. Each text ends with a line break.
+namespace metamer::cli {
+
+/// The kinds, and under each a line an item: name and citation.
+std::string list_text(const std::vector<CatalogueItem>& items);
+
+/// Equation, paper, traits and parameters.
+std::string show_text(const CatalogueItem& item);
+
+}  // namespace metamer::cli

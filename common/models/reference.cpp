@@ -1,0 +1,94 @@
+#include "common/models/reference.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
+namespace metamer::models {
+namespace f64 {
+namespace {
+using Real = double;
+using Wide = std::array<double, 1>;
+constexpr int width = 1;
+using std::abs, std::acos, std::asin, std::erf, std::exp, std::fma, std::max, std::min, std::pow,
+    std::sqrt;
+#include "common/models/shared_source.inc"
+}  // namespace
+}  // namespace f64
+
+namespace {
+
+Angles<f64::Wide> widen(const Angles<double>& a) {
+  return {{a.n_dot_l}, {a.n_dot_v}, {a.n_dot_h}, {a.v_dot_h},
+          {a.r_dot_v}, {a.azimuth}, {a.tangent}, {a.solid_angle}};
+}
+
+}  // namespace
+
+Lobes<double> evaluate(const Reflection<double>& reflection, const Angles<double>& angles) {
+  const auto lobes = f64::evaluate(reflection, widen(angles));
+  return {lobes.diffuse[0], lobes.specular[0], lobes.white[0], lobes.fresnel[0], lobes.cosine[0]};
+}
+
+double slope(Slope which, const Reflection<double>::Parameters& parameters,
+             const Angles<double>& angles) {
+  return f64::slope_value(which, parameters, widen(angles))[0];
+}
+
+double attenuation(Attenuation which, double roughness, const Angles<double>& angles) {
+  return f64::attenuation_value(which, roughness, widen(angles))[0];
+}
+
+double diffuse(DiffuseTerm which, const Reflection<double>::Parameters& parameters,
+               const Angles<double>& angles) {
+  return f64::diffuse_value(which, parameters, widen(angles))[0];
+}
+
+double schlick_fresnel(double u, double f) { return f64::schlick_fresnel(u, f); }
+double dielectric_fresnel(double u, double n) { return f64::dielectric_fresnel(u, n); }
+double conductor_fresnel(double u, double n, double k) { return f64::conductor_fresnel(u, n, k); }
+double index_from_reflectance(double f) { return f64::index_from_reflectance(f); }
+
+Angles<double> angles_between(const Eigen::Vector3d& normal, const Eigen::Vector3d& tangent,
+                              const Eigen::Vector3d& to_light, const Eigen::Vector3d& to_viewer,
+                              double solid_angle) {
+  const auto cosine = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return std::clamp(a.dot(b), 0.0, 1.0);
+  };
+  const Eigen::Vector3d half = (to_light + to_viewer).normalized();
+  const double j = normal.dot(to_light), k = normal.dot(to_viewer);
+  const Eigen::Vector3d light = to_light - j * normal, viewer = to_viewer - k * normal;
+  const double across = light.norm() * viewer.norm();
+  const double t = half.dot(tangent), b = half.dot(normal.cross(tangent));
+  return {.n_dot_l = cosine(normal, to_light),
+          .n_dot_v = cosine(normal, to_viewer),
+          .n_dot_h = cosine(normal, half),
+          .v_dot_h = cosine(to_viewer, half),
+          .r_dot_v = std::clamp(2 * j * k - to_light.dot(to_viewer), 0.0, 1.0),
+          .azimuth = across > 0 ? std::clamp(light.dot(viewer) / across, -1.0, 1.0) : 0,
+          .tangent = t * t + b * b > 0 ? t * t / (t * t + b * b) : 1,
+          .solid_angle = solid_angle};
+}
+
+Reflection<double> default_reflection(Model model) {
+  Reflection<double> reflection;
+  reflection.model = model;
+  reflection.parameters = {0.5, 0.5};
+  const auto fill = [](std::span<const Parameter> parameters, double* to) {
+    for (const Parameter& parameter : parameters) *to++ = parameter.default_value;
+  };
+  fill(entry(model).parameters, reflection.parameters.data() + 2);
+  if (entry(model).traits & has_facets) {
+    reflection.slopes[0] = {Slope::beckmann, 1, {}};
+    fill(entry(Slope::beckmann).parameters, reflection.slopes[0].parameters.data());
+    reflection.slope_count = 1;
+    reflection.roughness = reflection.slopes[0].parameters[0];
+  }
+  return reflection;
+}
+
+}  // namespace metamer::models

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "server/cpu/lanes.h"
+#include "server/methods/method.h"
+
+namespace metamer::cpu {
+
+/// Eight rays on their way, and where their light goes.
+struct Packet {
+  Vec8 origin{}, direction{};  ///< Directions are unit.
+  Int8 active{};
+  Float8 throughput = metamer::broadcast(1);  ///< Product of the mirrors' weights.
+  Float8 travelled{};                         ///< From the eye to `hit`.
+  std::array<std::uint32_t, 8> pixel{};       ///< Index into Workspace::gathers.
+  std::array<std::uint32_t, 8> path{};        ///< Of that pixel's gather.
+  bool from_eye = true;                       ///< No mirror met yet.
+  Vec8 hit{};                                 ///< Where the ray hit.
+  Vec8 point{};                               ///< The same, lifted off the surface.
+};
+
+/// A thread's working memory.
+struct Workspace {
+  std::vector<Gather> gathers;  ///< One for each pixel of a block.
+  Method::Scratch scratch;
+  std::uint64_t rays = 0;         ///< Camera, mirror and shadow rays since it was set.
+  std::uint64_t evaluations = 0;  ///< Of models, eight points each.
+  std::uint64_t timed_ticks = 0;  ///< What every timed_each-th of them took.
+};
+
+}  // namespace metamer::cpu

@@ -1,0 +1,257 @@
+#include "server/cpu/shading.h"
+
+#include <limits>
+
+#include "server/cpu/ticks.h"
+#include "server/cpu/triangle_places.h"
+#include "server/methods/fresnel_table.h"
+
+namespace metamer::cpu {
+namespace {
+
+/// Shadow rays end a little before the light, so that a surface in which it lies does not hide it.
+constexpr float short_of_light = 0.9999f;
+constexpr float largest = std::numeric_limits<float>::max();
+
+Vec8 broadcast(const Eigen::Vector3d& v) {
+  return {metamer::broadcast(static_cast<float>(v.x())),
+          metamer::broadcast(static_cast<float>(v.y())),
+          metamer::broadcast(static_cast<float>(v.z()))};
+}
+
+/// The same lane of all eight.
+Vec8 broadcast_lane(const Vec8& v, int lane) {
+  return {metamer::broadcast(v.x[lane]), metamer::broadcast(v.y[lane]),
+          metamer::broadcast(v.z[lane])};
+}
+
+/// Puts the material's colour in the place of the Fresnel term where it is one: C_S, or C_S and
+/// white by Schlick's approximation. An exact one stays.
+void fold_fresnel(FresnelKind kind, models::Lobes<Float8>& lobes) {
+  if (kind == FresnelKind::exact) return;
+  Float8 rise{};
+  if (kind == FresnelKind::schlick) {
+    const Float8 away = 1.0f - lobes.cosine, squared = away * away;
+    rise = squared * squared * away;
+  }
+  lobes.specular += lobes.fresnel * (1.0f - rise);
+  lobes.white += lobes.fresnel * rise;
+  lobes.fresnel = Float8{};
+}
+
+void scale(models::Lobes<Float8>& lobes, Float8 factor) {
+  lobes.diffuse *= factor;
+  lobes.specular *= factor;
+  lobes.white *= factor;
+  lobes.fresnel *= factor;
+}
+
+}  // namespace
+
+Shading::Shading(const RenderScene& scene, const EmbreeScene& geometry)
+    : scene_(scene), geometry_(geometry) {
+  for (const RenderLight& light : scene.lights)
+    lights_.push_back({light.directional, broadcast(light.place),
+                       static_cast<float>(light.reference_distance * light.reference_distance),
+                       metamer::broadcast(static_cast<float>(light.solid_angle))});
+  for (const RenderMaterial& material : scene.materials) {
+    needed_.azimuth |= material.reflection.diffuse != models::DiffuseTerm::lambert;
+    needed_.tangent |= material.anisotropic();
+    has_ambient_ |= material.has(models::has_ambient);
+    has_exact_ |= material.fresnel == FresnelKind::exact;
+  }
+}
+
+void Shading::shade(const Packet& packet, const Hits& hits, Workspace& workspace) const {
+  const Places places = find_places(packet, hits, workspace);
+  const Int8 ambient = ambient_lanes(hits, packet.active);
+  for (std::size_t l = 0; l < lights_.size(); ++l) {
+    // Look towards the light from the surface itself: the lift would show in a near light. Closer
+    // to a light than f32 can say, its weight is infinite: such a point has no colour.
+    const Seen seen = look(lights_[l], packet.hit);
+    const Int8 sound = seen.weight <= largest;
+    const Int8 facing =
+        packet.active & sound & ((dot(hits.normal, seen.direction) > 0.0f) | hits.interpolated);
+    Int8 lit{};
+    if (any(facing)) {
+      workspace.rays += static_cast<unsigned>(count(facing));
+      lit = geometry_.visible(packet.point, seen.direction, seen.length, facing);
+    }
+    const Int8 wanted = lit | (ambient & sound);
+    if (!any(wanted)) continue;
+
+    // Evaluate the models where they are asked for, and gather their lobes.
+    const Step step{packet, hits, places, static_cast<std::uint32_t>(l), workspace};
+    const Int8 between = lit & hits.interpolated;
+    Lobes lobes = evaluate_hits(step, wanted & ~between, lit, seen);
+    if (any(between)) interpolate(step, between, lobes);
+    gather(step, lobes, wanted);
+  }
+}
+
+Shading::Seen Shading::look(const Light& light, const Vec8& from) {
+  if (light.directional)
+    return {light.place, metamer::broadcast(std::numeric_limits<float>::infinity()),
+            metamer::broadcast(1)};
+  const Vec8 way = light.place - from;
+  const Float8 squared = dot(way, way);
+  const Float8 distance = sqrt(squared);
+  Seen seen{way * (1.0f / distance), distance * short_of_light, metamer::broadcast(1)};
+  if (light.reference_squared > 0) seen.weight = light.reference_squared / squared;
+  return seen;
+}
+
+/// Finds where each lane's light is gathered.
+Shading::Places Shading::find_places(const Packet& packet, const Hits& hits,
+                                     Workspace& workspace) const {
+  Places places;
+  int last = -1;
+  for (unsigned i = 0; i < lane_count; ++i) {
+    if (!packet.active[i]) continue;
+    const auto material = static_cast<std::uint32_t>(hits.material[i]);
+    const bool as_last = last >= 0 && packet.pixel[i] == packet.pixel[last] &&
+                         packet.path[i] == packet.path[last] &&
+                         hits.material[i] == hits.material[last];
+    places.surface[i] = as_last
+                            ? places.surface[last]
+                            : workspace.gathers[packet.pixel[i]].surface(packet.path[i], material);
+    places.together &= last < 0 || as_last;
+    last = static_cast<int>(i);
+  }
+  places.first = static_cast<unsigned>(last);
+  return places;
+}
+
+/// The lanes whose material reflects light also where no light of the scene reaches.
+Int8 Shading::ambient_lanes(const Hits& hits, Int8 active) const {
+  Int8 lanes{};
+  if (!has_ambient_) return lanes;
+  for (int i = 0; i < lane_count; ++i)
+    if (active[i] &&
+        scene_.materials[static_cast<std::size_t>(hits.material[i])].has(models::has_ambient))
+      lanes[i] = -1;
+  return lanes;
+}
+
+Shading::Lobes Shading::evaluate(const RenderMaterial& material, const Angles& angles,
+                                 Workspace& workspace) const {
+  const bool timed = workspace.evaluations++ % timed_each == 0;
+  const std::uint64_t start = timed ? ticks() : 0;
+  Lobes lobes = models::evaluate(material.reflection, angles);
+  if (timed) workspace.timed_ticks += ticks() - start;
+  fold_fresnel(material.fresnel, lobes);
+  return lobes;
+}
+
+/// Evaluates each material that the lanes have hit, once for all of its lanes. Where a lane is not
+/// lit, N·L is 0.
+Shading::Lobes Shading::evaluate_hits(const Step& step, Int8 lanes, Int8 lit,
+                                      const Seen& seen) const {
+  Lobes lobes{};
+  if (!any(lanes)) return lobes;
+  const Hits& hits = step.hits;
+  Angles angles = angles_of(hits.normal, hits.tangent, seen.direction,
+                            step.packet.direction * metamer::broadcast(-1),
+                            lights_[step.light].solid_angle, needed_);
+  angles.n_dot_l = select(lit, angles.n_dot_l, Float8{});
+  Int8 left = lanes;
+  for (int first = 0; first < lane_count; ++first) {
+    if (!left[first]) continue;
+    const Int8 same = left & (hits.material == hits.material[first]);
+    const Lobes own = evaluate(scene_.materials[static_cast<std::size_t>(hits.material[first])],
+                               angles, step.workspace);
+    lobes.diffuse = select(same, own.diffuse, lobes.diffuse);
+    lobes.specular = select(same, own.specular, lobes.specular);
+    lobes.white = select(same, own.white, lobes.white);
+    lobes.fresnel = select(same, own.fresnel, lobes.fresnel);
+    lobes.cosine = select(same, own.cosine, lobes.cosine);
+    left &= ~same;
+  }
+  scale(lobes, select(lanes, seen.weight * step.packet.throughput, Float8{}));
+  return lobes;
+}
+
+/// Adds the lobes of lanes whose model is evaluated at places of the triangle: once for all lanes
+/// on it, since its places are the same for all. Seen over mirrors each lane has an eye of its own.
+void Shading::interpolate(const Step& step, Int8 lanes, Lobes& lobes) const {
+  const Hits& hits = step.hits;
+  const Packet& packet = step.packet;
+  // Where the eye seems to be: as far behind the mirrors as the light has come.
+  const Vec8 eye = packet.hit - packet.direction * packet.travelled;
+  Int8 left = lanes;
+  for (int first = 0; first < lane_count; ++first) {
+    if (!left[first]) continue;
+    Int8 same =
+        left & (hits.object == hits.object[first]) & (hits.primitive == hits.primitive[first]);
+    if (!packet.from_eye) {
+      same = Int8{};
+      same[first] = -1;
+    }
+    left &= ~same;
+
+    // Evaluate the model at the triangle's places.
+    const v1::Shading shading = geometry_.shading(hits.object[first]);
+    const TrianglePlaces places =
+        triangle_places(shading, geometry_.corners(hits.object[first], hits.primitive[first]),
+                        {hits.geometric_normal.x[first], hits.geometric_normal.y[first],
+                         hits.geometric_normal.z[first]});
+    const Seen seen = look(lights_[step.light], places.position);
+    const Vec8 to_eye = normalize(broadcast_lane(eye, first) - places.position);
+    const RenderMaterial& material =
+        scene_.materials[static_cast<std::size_t>(hits.material[first])];
+    Lobes own = evaluate(material,
+                         angles_of(places.normal, places.tangent, seen.direction, to_eye,
+                                   lights_[step.light].solid_angle, needed_),
+                         step.workspace);
+    scale(own, select(seen.weight <= largest, seen.weight, Float8{}));
+
+    // Interpolate between them.
+    const auto weights = place_weights(shading, hits.u, hits.v);
+    const Float8 throughput = select(same, packet.throughput, Float8{});
+    for (int p = 0; p < places.count; ++p) {
+      const Float8 weight = weights[static_cast<std::size_t>(p)] * throughput;
+      lobes.diffuse += weight * own.diffuse[p];
+      lobes.specular += weight * own.specular[p];
+      lobes.white += weight * own.white[p];
+      if (own.fresnel[p] == 0) continue;
+      for (int i = 0; i < lane_count; ++i)
+        if (same[i]) gather_fresnel(step, i, own.cosine[p], weight[i] * own.fresnel[p]);
+    }
+  }
+}
+
+void Shading::gather_fresnel(const Step& step, int lane, float cosine, float weight) {
+  const auto i = static_cast<std::size_t>(lane);
+  Gather& gather = step.workspace.gathers[step.packet.pixel[i]];
+  const FresnelPlace place = fresnel_place(cosine);
+  const std::uint32_t surface = step.places.surface[i];
+  gather.add_fresnel(surface, step.light, place.below, weight * (1 - place.fraction));
+  gather.add_fresnel(surface, step.light, place.below + 1, weight * place.fraction);
+}
+
+/// Adds weighted lobes where they are gathered; the lanes that have none hold zeros.
+void Shading::gather(const Step& step, const Lobes& lobes, Int8 lanes) const {
+  Workspace& workspace = step.workspace;
+  const Places& places = step.places;
+  if (has_exact_)
+    for (int i = 0; i < lane_count; ++i)
+      if (lobes.fresnel[i] != 0) gather_fresnel(step, i, lobes.cosine[i], lobes.fresnel[i]);
+  if (places.together) {
+    LobeWeights& to = workspace.gathers[step.packet.pixel[places.first]].weights(
+        places.surface[places.first], step.light);
+    to.diffuse += sum(lobes.diffuse);
+    to.specular += sum(lobes.specular);
+    to.white += sum(lobes.white);
+    return;
+  }
+  for (unsigned i = 0; i < lane_count; ++i) {
+    if (!lanes[i]) continue;
+    LobeWeights& to =
+        workspace.gathers[step.packet.pixel[i]].weights(places.surface[i], step.light);
+    to.diffuse += lobes.diffuse[i];
+    to.specular += lobes.specular[i];
+    to.white += lobes.white[i];
+  }
+}
+
+}  // namespace metamer::cpu

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "server/cpu/angles.h"
+#include "server/cpu/embree_scene.h"
+#include "server/cpu/packet.h"
+#include "server/models/lanes.h"
+
+namespace metamer::cpu {
+
+/// Turns what a packet has hit into weights: looks towards each light, asks whether it is seen,
+/// evaluates the models and gathers their lobes. Immutable, shared by threads.
+class Shading {
+ public:
+  /// The references must outlive it.
+  Shading(const RenderScene& scene, const EmbreeScene& geometry);
+
+  void shade(const Packet& packet, const Hits& hits, Workspace& workspace) const;
+
+ private:
+  using Lobes = models::Lobes<Float8>;
+  using Angles = models::Angles<Float8>;
+
+  struct Light {
+    bool directional;
+    Vec8 place;
+    float reference_squared;  ///< 0: no falloff.
+    Float8 solid_angle;
+  };
+  /// A light as seen from eight points.
+  struct Seen {
+    Vec8 direction;
+    Float8 length, weight;
+  };
+  /// Where the lanes of a packet are gathered.
+  struct Places {
+    std::array<std::uint32_t, 8> surface{};  ///< Of the pixel's gather.
+    bool together = true;                    ///< All active lanes in the same place.
+    unsigned first = 0;                      ///< An active lane.
+  };
+  /// One light's part of a packet.
+  struct Step {
+    const Packet& packet;
+    const Hits& hits;
+    const Places& places;
+    std::uint32_t light;
+    Workspace& workspace;
+  };
+
+  static Seen look(const Light& light, const Vec8& from);
+  Places find_places(const Packet& packet, const Hits& hits, Workspace& workspace) const;
+  Int8 ambient_lanes(const Hits& hits, Int8 active) const;
+  Lobes evaluate(const RenderMaterial& material, const Angles& angles, Workspace& workspace) const;
+  Lobes evaluate_hits(const Step& step, Int8 lanes, Int8 lit, const Seen& seen) const;
+  void interpolate(const Step& step, Int8 lanes, Lobes& lobes) const;
+  void gather(const Step& step, const Lobes& lobes, Int8 lanes) const;
+  static void gather_fresnel(const Step& step, int lane, float cosine, float weight);
+
+  const RenderScene& scene_;
+  const EmbreeScene& geometry_;
+  std::vector<Light> lights_;
+  NeededAngles needed_;
+  bool has_ambient_ = false, has_exact_ = false;
+};
+
+}  // namespace metamer::cpu

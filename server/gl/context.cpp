@@ -1,0 +1,92 @@
+#include "server/gl/context.h"
+
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+namespace metamer::gl {
+namespace {
+
+constexpr int max_devices = 16;  // More than one machine's graphics processors.
+
+/// "eglInitialize failed (EGL error 0x3001)".
+tl::unexpected<Problem> egl_problem(const char* call) {
+  std::array<char, 80> text;
+  std::snprintf(text.data(), text.size(), "%s failed (EGL error 0x%04x)", call,
+                static_cast<unsigned>(eglGetError()));
+  return problem(text.data());
+}
+
+bool is_software(void* device) {
+  const char* extensions = eglQueryDeviceStringEXT(device, EGL_EXTENSIONS);
+  return extensions && std::string_view(extensions).find("software") != std::string_view::npos;
+}
+
+std::vector<void*> devices() {
+  if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration") &&
+      !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_base"))
+    return {};
+  std::array<EGLDeviceEXT, max_devices> found{};
+  EGLint count = 0;
+  if (!eglQueryDevicesEXT(max_devices, found.data(), &count)) return {};
+  std::vector<void*> result(found.begin(), found.begin() + count);
+  std::stable_partition(result.begin(), result.end(), [](void* one) { return !is_software(one); });
+  return result;
+}
+
+}  // namespace
+
+int device_count() { return static_cast<int>(devices().size()); }
+
+Result<Context> Context::create() {
+  Problem last{.field = {}, .file = {}, .message = "this machine has no EGL device"};
+  for (void* device : devices()) {
+    auto context = create_on(device);
+    if (context) return context;
+    last = context.error();
+  }
+  return tl::unexpected(last);
+}
+
+Result<Context> Context::create_on(void* device) {
+  // Open the device.
+  const EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
+  if (display == EGL_NO_DISPLAY) return egl_problem("eglGetPlatformDisplayEXT");
+  if (!eglInitialize(display, nullptr, nullptr)) return egl_problem("eglInitialize");
+
+  // Ask for GL 4.5 core without any surface; the context ends with `result` from here on.
+  if (!eglBindAPI(EGL_OPENGL_API)) return egl_problem("eglBindAPI");
+  constexpr EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION,
+                               4,
+                               EGL_CONTEXT_MINOR_VERSION,
+                               5,
+                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                               EGL_NONE};
+  const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted);
+  if (context == EGL_NO_CONTEXT) return egl_problem("eglCreateContext for GL 4.5");
+  Context result(display, context);
+  if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
+    return egl_problem("eglMakeCurrent");
+  result.renderer_ = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return result;
+}
+
+Context::Context(Context&& other) noexcept
+    : display_(other.display_),
+      context_(std::exchange(other.context_, nullptr)),
+      renderer_(std::move(other.renderer_)) {}
+
+Context::~Context() {
+  if (!context_) return;
+  // The display stays open: EGL has one for each device, which another context may share.
+  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglDestroyContext(display_, context_);
+}
+
+}  // namespace metamer::gl

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "common/models/registry.h"
+
+/// The shared sources as GLSL.
+namespace metamer::gl {
+
+/// A file of shaders/, embedded at build time: "models/lobes.glsl". Empty: there is no such file.
+std::string_view shader_text(std::string_view path);
+
+/// "#version 450", Real, the functions that GLSL lacks or drivers compute coarsely, and the structs
+/// and functions of every line of models.def. What a program needs more follows after it.
+std::string model_source();
+
+/// The function of a line: "beckmann_slope", "cook_torrance".
+std::string function_name(const models::Entry& entry);
+
+/// The struct of its parameters, "BeckmannSlope"; empty for an attenuation, which has none.
+std::string struct_name(const models::Entry& entry);
+
+}  // namespace metamer::gl

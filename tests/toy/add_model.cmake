@@ -1,0 +1,24 @@
+# cmake -DSOURCE=… -DSCRATCH=… -P add_model.cmake: see README.md. A second run builds what has changed.
+foreach(part CMakeLists.txt common proto server client shaders tests)
+  file(COPY ${SOURCE}/${part} DESTINATION ${SCRATCH}/source)
+endforeach()
+file(COPY ${SOURCE}/tests/toy/toy.glsl DESTINATION ${SCRATCH}/source/shaders/models)
+set(def ${SCRATCH}/source/common/models/models.def)
+file(READ ${SOURCE}/common/models/models.def text)
+set(line "METAMER_MODEL(59, toy, Toy, \"this test\", \"a step\", weighted, METAMER_PARAMETER(edge, 0.9, 0, 1, \"\", \"N·H of the step\"))")
+string(REPLACE "METAMER_DIFFUSE(60" "${line}\nMETAMER_DIFFUSE(60" with_line "${text}")
+if(with_line STREQUAL text)
+  message(FATAL_ERROR "models.def has no line METAMER_DIFFUSE(60 before which to add a model")
+endif()
+# configure_file writes only what differs: the copy above may just have put the old text back.
+file(CONFIGURE OUTPUT ${def} CONTENT "${with_line}" @ONLY)
+
+foreach(command
+    "${CMAKE_COMMAND};-S;${SCRATCH}/source;-B;${SCRATCH}/build;-G;Ninja;-DCMAKE_BUILD_TYPE=Debug;-DCMAKE_CXX_FLAGS_DEBUG=-O0"
+    "${CMAKE_COMMAND};--build;${SCRATCH}/build;--target;toy_model"
+    "${SCRATCH}/build/bin/toy_model")
+  execute_process(COMMAND ${command} RESULT_VARIABLE result)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "failed: ${command}")
+  endif()
+endforeach()
