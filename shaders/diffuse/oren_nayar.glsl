@@ -4,7 +4,8 @@
 //     A = 1 − 0.5 σ²/(σ² + 0.33),   B = 0.45 σ²/(σ² + 0.09)
 //
 // sin α tan β = sin θ sin θ′ / max(j, k); of that, N·L = j takes the quotient j / max(j, k), which is
-// at most 1, so the term stays finite down to the horizon. It is 0 where the light is there.
+// at most 1, so the term stays finite down to the horizon. It is 0 where the light is there. Not
+// conserving: towards grazing light it reflects up to A + B/2, 1.015 at σ = 0.2.
 Real oren_nayar_diffuse(Angles angles, OrenNayarDiffuse m) {
     Real j = angles.n_dot_l;
     Real k = angles.n_dot_v;

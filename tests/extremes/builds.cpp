@@ -1,0 +1,112 @@
+#include "tests/extremes/builds.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+
+#include "common/models/reference.h"
+#include "server/models/lanes.h"
+
+namespace metamer::extremes {
+namespace {
+
+template <class Number>
+Number fresnel(const Row& row) {
+  const auto u = static_cast<Number>(row.inputs[0]);
+  const auto p = [&](std::size_t i) { return static_cast<Number>(row.parameters[i]); };
+  if (row.form == "schlick_fresnel") return models::schlick_fresnel(u, p(0));
+  if (row.form == "dielectric_fresnel") return models::dielectric_fresnel(u, p(0));
+  if (row.form == "conductor_fresnel") return models::conductor_fresnel(u, p(0), p(1));
+  return models::index_from_reflectance(u);  // Its f stands in place of u.
+}
+
+/// One of the three kinds that give one number.
+template <class Angle, class Parameters>
+auto part_value(const Row& row, const Parameters& parameters, const Angle& angles) {
+  if (row.kind == "slopes") {
+    const int index = index_of(models::Kind::slope, row.form);
+    return models::slope(static_cast<models::Slope>(index), parameters, angles);
+  }
+  if (row.kind == "attenuations") {
+    const int index = index_of(models::Kind::attenuation, row.form);
+    return models::attenuation(static_cast<models::Attenuation>(index), parameters[0], angles);
+  }
+  const int index = index_of(models::Kind::diffuse, row.form);
+  return models::diffuse(static_cast<models::DiffuseTerm>(index), parameters, angles);
+}
+
+std::vector<double> evaluate_f64(const Row& row) {
+  if (row.kind == "fresnel") return {fresnel<double>(row)};
+  if (row.kind != "models") return {part_value(row, parameters(row.parameters), angles(row))};
+  const auto lobes = models::evaluate(reflection(row), angles(row));
+  return {lobes.diffuse, lobes.specular, lobes.white, lobes.fresnel, lobes.cosine};
+}
+
+models::Angles<Float8> lanes(const Row& row) {
+  const auto at = [&](std::size_t i) { return broadcast(static_cast<float>(row.inputs[i])); };
+  return {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
+}
+
+std::vector<double> evaluate_f32(const Row& row) {
+  if (!row.single) return {};
+  if (row.kind == "fresnel") return {fresnel<float>(row)};
+  if (row.kind != "models")
+    return {part_value(row, single(parameters(row.parameters)), lanes(row))[0]};
+  const auto lobes = models::evaluate(single(reflection(row)), lanes(row));
+  return {lobes.diffuse[0], lobes.specular[0], lobes.white[0], lobes.fresnel[0], lobes.cosine[0]};
+}
+
+template <class Evaluate>
+Values each(const std::vector<Row>& rows, Evaluate evaluate) {
+  Values values;
+  for (const Row& row : rows) values.push_back(evaluate(row));
+  return values;
+}
+
+Error compare(double truth, double value, double peak, const Bound& bound) {
+  const double size = std::abs(truth);
+  if (size > bound.largest) return {0, value > 0.99 * bound.largest};
+  const double difference = std::abs(value - truth);
+  if (size < bound.smallest && difference < bound.smallest) return {};
+  const double relative = difference / size;
+  const double of_peak = peak > 0 ? difference / peak : relative;
+  const bool within = relative <= bound.relative || of_peak <= bound.of_peak;
+  // A bound that is 0 is none; of two, the error is told that is the smaller.
+  if (bound.of_peak == 0) return {relative, within};
+  if (bound.relative == 0) return {of_peak, within};
+  return {std::min(relative, of_peak), within};
+}
+
+}  // namespace
+
+Bound bound(Build build) {
+  switch (build) {
+    case Build::f64:
+      return {"f64", 1e-12, 0, DBL_MIN, DBL_MAX};
+    case Build::f32:
+      return {"f32", 2e-6, 5e-7, FLT_MIN, FLT_MAX};
+    case Build::glsl:
+      return {"GLSL", 0, 2e-4, FLT_MIN, FLT_MAX};
+  }
+  return {};
+}
+
+Values evaluate_f64(const std::vector<Row>& rows) {
+  return each(rows, [](const Row& row) { return evaluate_f64(row); });
+}
+
+Values evaluate_f32(const std::vector<Row>& rows) {
+  return each(rows, [](const Row& row) { return evaluate_f32(row); });
+}
+
+Error compare(const Row& row, const std::vector<double>& values, const Bound& bound) {
+  Error worst;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    Error error = compare(row.values[i], values[i], row.peak, bound);
+    if (std::isnan(values[i])) error = {HUGE_VAL, false};
+    worst = {std::max(worst.size, error.size), worst.within && error.within};
+  }
+  return worst;
+}
+
+}  // namespace metamer::extremes
