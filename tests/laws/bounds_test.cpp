@@ -14,7 +14,7 @@ namespace {
 
 using models::Angles, models::Entry, models::Kind;
 
-constexpr int batches = 125'000;  // Of eight points each.
+constexpr int batches = law_inputs / 8;  // Of eight points each.
 
 /// Eight points in the form of either build, with the same numbers.
 struct Points {

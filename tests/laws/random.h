@@ -8,6 +8,14 @@
 /// Random inputs over the whole of their ranges, the ends included. The same on every run.
 namespace metamer::laws {
 
+/// The sanitizers look for mistakes of memory, and a tenth of the inputs meets them all.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr int law_inputs = 100'000, law_integrals = 30;
+#else
+inline constexpr int law_inputs = 1'000'000, law_integrals = 300;
+#endif
+
+
 class Random {
  public:
   double between(double min, double max);

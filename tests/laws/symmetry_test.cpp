@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 using models::Angles, models::Entry, models::Kind, models::Reflection;
 
-constexpr int count = 1'000'000;
+constexpr int count = law_inputs;
 constexpr double rounding = 1e-9;  // Vectors are unit to 1e-16, which exponents of 1e6 raise.
 
 /// With C_D = 0.7, C_S = 0.6 and a Fresnel term of 0.04, so that nothing passes for something else.
