@@ -6,6 +6,9 @@
 #include "client/cli/bench_scene.h"
 #include "client/cli/commands.h"
 #include "client/cli/connection.h"
+#include "client/cli/overrides.h"
+#include "common/scene/settings.h"
+#include "common/scene/validate.h"
 
 namespace metamer::cli {
 namespace {
@@ -71,8 +74,8 @@ void print_table(const std::vector<BenchCase>& cases, const std::vector<Measured
   }
 }
 
-asio::awaitable<ExitCode> bench_on(Session& session, const BenchOptions& options, Report& report) {
-  const std::vector<BenchCase> cases = model_cases();
+asio::awaitable<ExitCode> bench_on(Session& session, const std::vector<BenchCase>& cases,
+                                   const BenchOptions& options, Report& report) {
   std::vector<Measured> measured(cases.size());
   // The first round warms the worker up; the rounds interleave the cases.
   for (std::uint32_t round = 0; round <= options.rounds; ++round) {
@@ -84,19 +87,38 @@ asio::awaitable<ExitCode> bench_on(Session& session, const BenchOptions& options
       measured[i].models.push_back(timing->models());
     }
   }
-  report.line(bench_scene_text() + ", " + std::to_string(options.rounds) +
+  report.line(bench_scene_text(cases[0].scene) + ", " + std::to_string(options.rounds) +
               " rounds; medians. Relative to " + cases[0].name +
               "; models: the share of the rendering that evaluates them.");
   print_table(cases, measured, report);
   co_return ExitCode::done;
 }
 
+/// The cases with the options in place of their settings. Empty: they make no sense, and it is
+/// said.
+std::vector<BenchCase> cases_with(const Overrides& overrides, Report& report) {
+  std::vector<BenchCase> cases = model_cases();
+  for (BenchCase& one : cases) {
+    const auto replaced = apply(overrides, one.scene);
+    if (!replaced) {
+      report.problem(replaced.error(), {});
+      return {};
+    }
+    const std::vector<Problem> problems = validate_scene(one.scene);
+    for (const Problem& wrong : problems) report.problem(wrong, {});
+    if (!problems.empty()) return {};
+  }
+  return cases;
+}
+
 }  // namespace
 
 ExitCode bench_models(const BenchOptions& options) {
   Report report(options.common.json);
+  const std::vector<BenchCase> cases = cases_with(options.overrides, report);
+  if (cases.empty()) return report.finish(ExitCode::bad_input);
   return report.finish(with_any_server(options.common, report, [&](Session& session, Interrupts&) {
-    return bench_on(session, options, report);
+    return bench_on(session, cases, options, report);
   }));
 }
 

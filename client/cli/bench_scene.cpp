@@ -3,6 +3,7 @@
 #include <google/protobuf/descriptor.h>
 
 #include "common/models/registry.h"
+#include "common/scene/settings.h"
 
 namespace metamer::cli {
 namespace {
@@ -100,10 +101,18 @@ std::vector<BenchCase> model_cases() {
   return cases;
 }
 
-std::string bench_scene_text() {
-  return std::to_string(side * side) + " spheres, 2 lights, " + std::to_string(mirrors) +
-         " mirror reflections, point at 301 wavelengths, " + std::to_string(width) + "x" +
-         std::to_string(height) + ", " + std::to_string(samples) + " samples per pixel";
+std::string bench_scene_text(const v1::Scene& scene) {
+  const v1::Settings settings = with_defaults(scene.settings());
+  const std::string method =
+      settings.method().has_rgb()
+          ? "rgb"
+          : "point at " +
+                std::to_string(point_wavelengths(settings.method().point())->nm().size()) +
+                " wavelengths";
+  return std::to_string(side * side) + " spheres, 2 lights, " + std::to_string(settings.depth()) +
+         " mirror reflections, " + method + ", " + std::to_string(settings.width()) + "x" +
+         std::to_string(settings.height()) + ", " + std::to_string(settings.spp()) +
+         " samples per pixel";
 }
 
 }  // namespace metamer::cli

@@ -17,7 +17,7 @@ struct BenchCase {
 /// term with an exact one, and Lambert with each diffuse term.
 std::vector<BenchCase> model_cases();
 
-/// What the scene is, in words.
-std::string bench_scene_text();
+/// What such a scene is, in words.
+std::string bench_scene_text(const v1::Scene& scene);
 
 }  // namespace metamer::cli

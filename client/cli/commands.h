@@ -23,4 +23,7 @@ ExitCode plot_models(const PlotOptions& options);
 
 ExitCode bench_models(const BenchOptions& options);
 
+/// What words that make no sense come to with --json: a document that says why.
+ExitCode refuse_words(const std::string& why);
+
 }  // namespace metamer::cli

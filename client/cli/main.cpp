@@ -1,5 +1,6 @@
 // The command line's words. This file alone includes CLI11, which takes seconds to compile.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <functional>
 #include <iostream>
 
@@ -42,6 +43,8 @@ void add_overrides(CLI::App& command, Overrides& options) {
   add("--spp", options.spp, "samples per pixel");
   add("--depth", options.depth, "mirror reflections that a path may take");
   add("--observer", options.observer, "cie-1931-2deg or cie-1964-10deg");
+  add("--shading", options.shading,
+      "phong, constant, gouraud or quadratic, where an object has none");
   add("--threads", options.threads, "0: as many as the server has");
   add("--tile-size", options.tile_size, "pixels, a multiple of 8");
   add("--light", options.lights, "give a light a CIE illuminant: NAME=A, or *=A for all of them")
@@ -178,7 +181,13 @@ void add_bench_commands(CLI::App& app, AllOptions& all, Action& chosen) {
   models.add_option("--rounds", all.bench.rounds, "renderings of each model")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  add_overrides(models, all.bench.overrides);
   add_common(models, all.bench.common);
+}
+
+/// Also where the words make no sense otherwise.
+bool asks_for_json(int argc, char** argv) {
+  return std::any_of(argv, argv + argc, [](std::string_view word) { return word == "--json"; });
 }
 
 int run(int argc, char** argv) {
@@ -196,6 +205,8 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0 && asks_for_json(argc, argv))
+      return static_cast<int>(refuse_words(error.what()));
     return app.exit(error) == 0 ? static_cast<int>(ExitCode::done)
                                 : static_cast<int>(ExitCode::bad_input);
   }

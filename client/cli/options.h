@@ -21,6 +21,7 @@ struct Overrides {
   std::optional<std::string> wavelengths;  ///< "400,436,546,700"
   std::optional<std::string> size;         ///< "640x480"
   std::optional<std::string> observer;     ///< "cie-1931-2deg", "cie-1964-10deg"
+  std::optional<std::string> shading;      ///< "phong", "constant", "gouraud", "quadratic"
   std::optional<std::uint32_t> spp;
   std::optional<std::uint32_t> depth;
   std::optional<std::uint32_t> threads;
@@ -101,6 +102,7 @@ struct PlotOptions {
 
 struct BenchOptions {
   CommonOptions common;
+  Overrides overrides;
   std::uint32_t rounds = 5;
 };
 

@@ -1,5 +1,6 @@
 #include "client/cli/overrides.h"
 
+#include <algorithm>
 #include <charconv>
 #include <string_view>
 
@@ -104,6 +105,24 @@ Result<void> apply_observer(const std::string& observer, v1::Settings& settings)
   return {};
 }
 
+Result<void> apply_shading(const std::string& shading, v1::Settings& settings,
+                           std::vector<Replaced>& replaced) {
+  std::vector<std::string> names;
+  const auto& values = *v1::Shading_descriptor();
+  for (int i = 0; i < values.value_count(); ++i) {
+    std::string name = values.value(i)->name();
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](char c) { return static_cast<char>(c - 'A' + 'a'); });
+    if (name == shading) {
+      settings.set_shading(static_cast<v1::Shading>(values.value(i)->number()));
+      replaced.push_back({"settings.shading", "--shading"});
+      return {};
+    }
+    names.push_back(std::move(name));
+  }
+  return problem("--shading: no shading named \"" + shading + "\"" + did_you_mean(shading, names));
+}
+
 void apply_numbers(const Overrides& overrides, v1::Settings& settings,
                    std::vector<Replaced>& replaced) {
   if (overrides.spp) {
@@ -163,6 +182,7 @@ Result<std::vector<Replaced>> apply(const Overrides& overrides, v1::Scene& scene
   Result<void> result = apply_method(overrides, settings, replaced);
   if (result && overrides.size) result = apply_size(*overrides.size, settings, replaced);
   if (result && overrides.observer) result = apply_observer(*overrides.observer, settings);
+  if (result && overrides.shading) result = apply_shading(*overrides.shading, settings, replaced);
   for (const std::string& light : overrides.lights)
     if (result) result = apply_light(light, scene, replaced);
   if (!result) return tl::unexpected<Problem>(std::move(result.error()));

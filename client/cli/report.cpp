@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <iostream>
 
+#include "client/cli/commands.h"
+
 namespace metamer::cli {
 namespace {
 
@@ -81,6 +83,12 @@ Problem from_wire(const v1::Problem& problem) {
   result.column = static_cast<int>(problem.column());
   result.message = problem.message();
   return result;
+}
+
+ExitCode refuse_words(const std::string& why) {
+  Report report(true);
+  report.error(why);
+  return report.finish(ExitCode::bad_input);
 }
 
 }  // namespace metamer::cli

@@ -241,8 +241,9 @@ Hits EmbreeScene::intersect(const Vec8& origin, const Vec8& direction, Int8 acti
   hits.normal = hits.geometric_normal;
   for (int i = 0; i < lane_count; ++i)
     if (hits.hit[i]) shading_normal(rays, i, hits);
-  hits.u = load(rays.hit.u);
-  hits.v = load(rays.hit.v);
+  // Embree leaves what it did not hit as it was: anything.
+  hits.u = select(hits.hit, load(rays.hit.u), Float8{});
+  hits.v = select(hits.hit, load(rays.hit.v), Float8{});
   if (tangents_)
     for (int i = 0; i < lane_count; ++i)
       if (hits.hit[i]) shading_tangent(i, hits);

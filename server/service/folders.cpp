@@ -1,11 +1,15 @@
 #include "server/service/folders.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <string_view>
 #include <utility>
 
 namespace metamer::service {
@@ -18,6 +22,37 @@ constexpr const char* socket_name = "metamerd.sock";
 
 wire::Endpoint socket_in(const fs::path& folder) {
   return {wire::Endpoint::Kind::unix_socket, (folder / socket_name).string(), {}, 0};
+}
+
+constexpr std::string_view temporary_pattern = "metamerd-temporary-XXXXXX";
+constexpr std::string_view temporary_prefix = "metamerd-temporary-";
+
+/// A descriptor that holds the folder's lock; -1 where somebody else does, or it is no folder of
+/// ours.
+int lock_folder(const fs::path& folder) {
+  const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  struct stat status {};
+  if (fd >= 0 && ::fstat(fd, &status) == 0 && status.st_uid == ::getuid() &&
+      ::flock(fd, LOCK_EX | LOCK_NB) == 0) {
+    return fd;
+  }
+  if (fd >= 0) ::close(fd);
+  return -1;
+}
+
+/// Removes the folders of daemons that have ended without doing so: nobody holds their locks. Young
+/// ones are left alone, for their daemon may be about to take its lock.
+void remove_orphans(const fs::path& base) {
+  const auto old = fs::file_time_type::clock::now() - std::chrono::minutes(1);
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(base, ignored)) {
+    if (!entry.path().filename().string().starts_with(temporary_prefix)) continue;
+    if (entry.last_write_time(ignored) > old) continue;
+    const int lock = lock_folder(entry.path());
+    if (lock < 0) continue;
+    fs::remove_all(entry.path(), ignored);
+    ::close(lock);
+  }
 }
 
 }  // namespace
@@ -41,20 +76,23 @@ Result<wire::Endpoint> default_endpoint() {
 
 Result<TemporaryFolder> TemporaryFolder::make() {
   std::error_code error;
-  const fs::path base = fs::temp_directory_path(error);
-  std::string name = ((error ? fs::path("/tmp") : base) / "metamerd-XXXXXX").string();
+  fs::path base = fs::temp_directory_path(error);
+  if (error) base = "/tmp";
+  remove_orphans(base);
+  std::string name = (base / temporary_pattern).string();
   if (!::mkdtemp(name.data())) {
     return problem("can't make a temporary folder " + name + ": " + std::strerror(errno));
   }
-  return TemporaryFolder(name);
+  return TemporaryFolder(name, lock_folder(name));
 }
 
 TemporaryFolder::TemporaryFolder(TemporaryFolder&& other) noexcept
-    : path_(std::exchange(other.path_, {})) {}
+    : path_(std::exchange(other.path_, {})), lock_(std::exchange(other.lock_, -1)) {}
 
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;
   if (!path_.empty()) fs::remove_all(path_, ignored);
+  if (lock_ >= 0) ::close(lock_);
 }
 
 fs::path default_worker() {

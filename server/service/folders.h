@@ -13,7 +13,7 @@ namespace metamer::service {
 Result<wire::Endpoint> default_endpoint();
 
 /// A folder of its own under the system's folder for temporary files, removed with everything in
-/// it.
+/// it. Those of daemons that were killed before they could do so are removed when one is made.
 class TemporaryFolder {
  public:
   static Result<TemporaryFolder> make();
@@ -23,8 +23,9 @@ class TemporaryFolder {
   const std::filesystem::path& path() const { return path_; }
 
  private:
-  explicit TemporaryFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  TemporaryFolder(std::filesystem::path path, int lock) : path_(std::move(path)), lock_(lock) {}
   std::filesystem::path path_;
+  int lock_;  ///< Held on the folder as long as its daemon lives.
 };
 
 /// metamer-worker beside the running executable.

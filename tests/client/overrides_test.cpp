@@ -34,6 +34,7 @@ TEST(Overrides, EachReplacesItsSetting) {
   overrides.threads = 2;
   overrides.tile_size = 64;
   overrides.observer = "cie-1964-10deg";
+  overrides.shading = "quadratic";
   overrides.method = "rgb";
   ASSERT_TRUE(apply(overrides, scene));
   EXPECT_EQ(scene.settings().width(), 320u);
@@ -44,6 +45,7 @@ TEST(Overrides, EachReplacesItsSetting) {
   EXPECT_EQ(scene.settings().threads(), 2u);
   EXPECT_EQ(scene.settings().tile_size(), 64u);
   EXPECT_EQ(scene.settings().observer(), v1::CIE_1964_10DEG);
+  EXPECT_EQ(scene.settings().shading(), v1::QUADRATIC);
   EXPECT_TRUE(scene.settings().method().has_rgb());
 }
 
@@ -123,6 +125,10 @@ TEST(Overrides, ErrorsSayWhatWasExpected) {
   method.method = "piont";
   EXPECT_EQ(error_of(method), "--method: no method named \"piont\"; did you mean \"point\"?");
 
+  Overrides shading;
+  shading.shading = "goraud";
+  EXPECT_EQ(error_of(shading),
+            "--shading: no shading named \"goraud\"; did you mean \"gouraud\"?");
   Overrides observer;
   observer.observer = "cie-1931";
   EXPECT_EQ(error_of(observer), "--observer: no observer named \"cie-1931\"");

@@ -1,0 +1,68 @@
+// The words `models` and `bench`, and the scenes that show the models.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "daemon.h"
+#include "scenes.h"
+
+namespace metamer::test {
+namespace {
+
+const std::string deploy = std::string(METAMER_TEST_DATA) + "/../deploy";
+
+TEST(ModelsCommand, ListsThemWithoutAServer) {
+  const Ended ended = metamer({"models"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  for (const char* name : {"cook_torrance", "oren_nayar", "beckmann", "smith", "conductor"})
+    EXPECT_NE(ended.out.find(name), std::string::npos) << name;
+  EXPECT_EQ(parse_document(metamer({"models", "--json"}).out)["exit_code"], 0);
+}
+
+TEST(ModelsCommand, AnUnknownNameIsAnErrorOfUsage) {
+  const Ended ended = metamer({"models", "show", "cook_torance"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_NE(ended.err.find("did you mean \"cook_torrance\"?"), std::string::npos) << ended.err;
+  EXPECT_EQ(metamer({"models", "plot"}).code, 2);
+}
+
+TEST(ModelsCommand, DrawsTheFiguresOfTheSource) {
+  const Folder folder;
+  const Ended ended = metamer({"models", "plot", "--figures", "-o", folder.path()});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  for (const char* figure : {"2-2", "2-3", "2-4", "2-5", "2-6", "2-8", "2-9", "2-10", "2-11"})
+    for (const char* type : {".png", ".csv"})
+      EXPECT_TRUE(std::filesystem::exists(folder / ("fig-" + std::string(figure) + type)))
+          << figure << type;
+}
+
+TEST(BenchCommand, ComparesEveryModelWithBlinnPhong) {
+  const Json answer = parse_document(
+      metamer({"bench", "models", "--rounds", "1", "--size", "16x12", "--spp", "1", "--json"}).out);
+  EXPECT_EQ(answer["exit_code"], 0);
+  ASSERT_GT(answer["models"].size(), 9u);
+  EXPECT_EQ(answer["models"][0]["name"], "blinn_phong");
+  EXPECT_EQ(answer["models"][0]["relative"], 1.0);
+  for (const Json& row : answer["models"]) {
+    EXPECT_GT(row["seconds"].get<double>(), 0) << row;
+    EXPECT_GT(row["models"].get<double>(), 0) << row;
+    EXPECT_LT(row["models"].get<double>(), 1) << row;
+  }
+  EXPECT_EQ(metamer({"bench", "models", "--size", "0x12"}).code, 2);
+}
+
+TEST(ShownScenes, AreSound) {
+  for (const char* scene : {"/gallery/gallery.txtpb", "/booth/booth.txtpb"}) {
+    const Ended ended = metamer({"check", deploy + scene});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+  }
+}
+
+TEST(JsonOfUsage, OfWordsThatMakeNoSenseIsADocumentToo) {
+  const Json answer = parse_document(metamer({"render", "--json"}).out);
+  EXPECT_EQ(answer["exit_code"], 2);
+  EXPECT_EQ(answer["errors"].size(), 1u);
+}
+
+}  // namespace
+}  // namespace metamer::test
