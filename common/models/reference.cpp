@@ -12,7 +12,12 @@ namespace metamer::models {
 namespace f64 {
 namespace {
 using Real = double;
-using Wide = std::array<double, 1>;
+/// One number that is indexed like eight.
+struct Wide {
+  double value;
+  double& operator[](int) { return value; }
+  double operator[](int) const { return value; }
+};
 constexpr int width = 1;
 using std::abs, std::acos, std::asin, std::erf, std::exp, std::fma, std::max, std::min, std::pow,
     std::sqrt;

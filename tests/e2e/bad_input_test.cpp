@@ -145,10 +145,9 @@ TEST_F(BadInput, SpectrumFileThatIsNone) {
 }
 
 TEST_F(BadInput, ParameterOfAModelOutOfItsRange) {
-  // Only the worker knows the models' ranges; its answer is located here.
   expect_message(camera + light +
                      "material {\n  name: \"grey\"\n  blinn_phong { shininess: 0.5 }\n}\n" + object,
-                 "scene.txtpb:5:17: error: shininess must lie in 1 to 1e+06 (it is 0.5); the "
+                 "scene.txtpb:5:17: error: shininess must lie in 1..1e+06 (it is 0.5); the "
                  "nearest allowed value is 1\n"
                  "  blinn_phong { shininess: 0.5 }\n"
                  "                ^\n");
