@@ -88,8 +88,8 @@ asio::awaitable<ExitCode> bench_on(Session& session, const std::vector<BenchCase
     }
   }
   report.line(bench_scene_text(cases[0].scene) + ", " + std::to_string(options.rounds) +
-              " rounds; medians. Relative to " + cases[0].name +
-              "; models: the share of the rendering that evaluates them.");
+              (options.rounds == 1 ? " round" : " rounds") + "; medians. Relative to " +
+              cases[0].name + "; models: the share of the rendering that evaluates them.");
   print_table(cases, measured, report);
   co_return ExitCode::done;
 }

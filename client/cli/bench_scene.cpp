@@ -70,7 +70,7 @@ void choose(v1::Material& material, const Entry& entry) {
   material.GetReflection()->MutableMessage(&material, field);
   if (entry.kind == Kind::model && (entry.traits & models::weighted)) {
     material.set_diffuseness(0.6);
-    material.set_specularness(0.4);
+    if (entry.traits & models::highlighted) material.set_specularness(0.4);
   }
 }
 
@@ -91,6 +91,7 @@ std::vector<BenchCase> model_cases() {
     cases.push_back(case_of(model));
     cases.back().name += ", conductor Au";
     v1::Material& material = *cases.back().scene.mutable_material(0);
+    material.clear_specular();
     material.mutable_fresnel()->mutable_conductor()->set_metal("Au");
   }
   for (const Entry& term : models::registry(Kind::diffuse)) {
@@ -104,8 +105,8 @@ std::vector<BenchCase> model_cases() {
 std::string bench_scene_text(const v1::Scene& scene) {
   const v1::Settings settings = with_defaults(scene.settings());
   const std::string method =
-      settings.method().has_rgb()
-          ? "rgb"
+      !settings.method().has_point()
+          ? v1::Method::descriptor()->FindFieldByNumber(settings.method().method_case())->name()
           : "point at " +
                 std::to_string(point_wavelengths(settings.method().point())->nm().size()) +
                 " wavelengths";

@@ -18,8 +18,8 @@ constexpr std::array kinds = {
     KindWords{Kind::slope, "slope", "D"}, KindWords{Kind::attenuation, "attenuation", "G"}};
 
 constexpr std::array trait_words = {
-    TraitWords{models::weighted, "weighted",
-               "Takes the material's diffuseness d and specularness s."},
+    TraitWords{models::weighted, "weighted", "Takes the material's diffuseness d."},
+    TraitWords{models::highlighted, "highlighted", "Takes the material's specularness s."},
     TraitWords{models::has_fresnel, "fresnel", "Its highlight has a Fresnel term F."},
     TraitWords{models::has_facets, "facets",
                "Its highlight has a slope distribution D and a geometric attenuation G."},

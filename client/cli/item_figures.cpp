@@ -168,10 +168,8 @@ std::vector<Parameter> plot_parameters(const CatalogueItem& item) {
   std::vector<Parameter> parameters(item.parameters.begin(), item.parameters.end());
   if (!item.entry) return parameters;
   const models::Kind kind = item.entry->kind;
-  if (item.traits & models::weighted) {
-    parameters.push_back({"diffuseness", 0.5, 0, 1, "", "d"});
-    parameters.push_back({"specularness", 0.5, 0, 1, "", "s"});
-  }
+  if (item.traits & models::weighted) parameters.push_back({"diffuseness", 0.5, 0, 1, "", "d"});
+  if (item.traits & models::highlighted) parameters.push_back({"specularness", 0.5, 0, 1, "", "s"});
   if ((item.traits & models::has_facets) ||
       (kind == models::Kind::attenuation &&
        item.entry->index != static_cast<unsigned char>(models::Attenuation::torrance_sparrow)))

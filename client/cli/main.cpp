@@ -36,9 +36,10 @@ void add_overrides(CLI::App& command, Overrides& options) {
   const auto add = [&](const char* name, auto& value, const char* meaning) {
     return command.add_option(name, value, meaning)->group(group);
   };
-  add("--method", options.method, "how colour is carried: point or rgb");
+  add("--method", options.method, "how colour is carried: point, linear, exact or rgb");
   add("--samples", options.samples, "point at FROM:TO:STEP nm, such as 400:700:5");
   add("--wavelengths", options.wavelengths, "point at these nm, such as 400,436,546,700");
+  add("--bases", options.bases, "linear with so many basis functions, 1 to 16");
   add("--size", options.size, "WIDTHxHEIGHT in pixels");
   add("--spp", options.spp, "samples per pixel");
   add("--depth", options.depth, "mirror reflections that a path may take");
@@ -154,13 +155,19 @@ void add_models_commands(CLI::App& app, AllOptions& all, Action& chosen) {
   add_json(*models, all.models.json);
   models->footer(footer);
 
-  CLI::App& show = add_command(*models, "show", "print equation, paper and parameters", chosen,
-                               [&] { return show_model(all.show_model); });
+  CLI::App& show =
+      add_command(*models, "show", "print equation, paper and parameters", chosen, [&] {
+        all.show_model.json |= all.models.json;
+        return show_model(all.show_model);
+      });
   show.add_option("name", all.show_model.name, "such as blinn_phong")->required();
   add_json(show, all.show_model.json);
 
-  CLI::App& plot = add_command(*models, "plot", "draw diagrams: a .png and its numbers as a .csv",
-                               chosen, [&] { return plot_models(all.plot); });
+  CLI::App& plot =
+      add_command(*models, "plot", "draw diagrams: a .png and its numbers as a .csv", chosen, [&] {
+        all.plot.json |= all.models.json;
+        return plot_models(all.plot);
+      });
   plot.add_option("names", all.plot.names, "such as blinn_phong beckmann conductor");
   plot.add_flag("--figures", all.plot.figures, "all the diagrams among Figs. 2-2 to 2-11 instead");
   plot.add_option("-o,--output", all.plot.folder, "the folder to write into")

@@ -16,12 +16,13 @@ struct CommonOptions {
 
 /// What the command line says instead of the scene's own settings, as written.
 struct Overrides {
-  std::optional<std::string> method;       ///< "point", "rgb"
+  std::optional<std::string> method;       ///< "point", "rgb", "exact"
   std::optional<std::string> samples;      ///< "400:700:5"
   std::optional<std::string> wavelengths;  ///< "400,436,546,700"
   std::optional<std::string> size;         ///< "640x480"
   std::optional<std::string> observer;     ///< "cie-1931-2deg", "cie-1964-10deg"
   std::optional<std::string> shading;      ///< "phong", "constant", "gouraud", "quadratic"
+  std::optional<std::uint32_t> bases;      ///< Of linear.
   std::optional<std::uint32_t> spp;
   std::optional<std::uint32_t> depth;
   std::optional<std::uint32_t> threads;

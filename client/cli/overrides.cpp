@@ -1,8 +1,12 @@
 #include "client/cli/overrides.h"
 
+#include <google/protobuf/descriptor.h>
+
 #include <algorithm>
 #include <charconv>
 #include <string_view>
+
+#include "common/scene/schema.h"
 
 namespace metamer::cli {
 namespace {
@@ -40,19 +44,27 @@ std::optional<std::vector<T>> parse_numbers(std::string_view text, char separato
 Result<void> apply_method(const Overrides& overrides, v1::Settings& settings,
                           std::vector<Replaced>& replaced) {
   const bool positions = overrides.samples || overrides.wavelengths;
+  if (overrides.bases && (positions || overrides.method.value_or("linear") != "linear"))
+    return problem("--bases is for --method linear");
   if (overrides.samples && overrides.wavelengths)
     return problem("--samples and --wavelengths exclude each other");
 
   // Choose the method; positions ask for point sampling by themselves.
-  if (overrides.method == "rgb") {
-    if (positions) return problem("--method rgb has no wavelengths to choose");
-    settings.mutable_method()->mutable_rgb();
+  if (overrides.method) {
+    const auto* field = v1::Method::descriptor()->FindFieldByName(*overrides.method);
+    if (field == nullptr)
+      return problem("--method: no method named \"" + *overrides.method + "\"" +
+                     did_you_mean(*overrides.method, field_names(*v1::Method::descriptor())));
+    if (positions && *overrides.method != "point")
+      return problem("--method " + *overrides.method + " has no wavelengths to choose");
+    v1::Method& method = *settings.mutable_method();
+    method.GetReflection()->MutableMessage(&method, field);
     replaced.push_back({"settings.method", "--method"});
-  } else if (overrides.method == "point") {
-    settings.mutable_method()->mutable_point();
-  } else if (overrides.method) {
-    return problem("--method: no method named \"" + *overrides.method + "\"" +
-                   did_you_mean(*overrides.method, {"point", "rgb"}));
+  }
+
+  if (overrides.bases) {
+    settings.mutable_method()->mutable_linear()->set_bases(*overrides.bases);
+    replaced.push_back({"settings.method.linear.bases", "--bases"});
   }
 
   // Replace the positions as a whole: a step of the scene does not go with a range from here.

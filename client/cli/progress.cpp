@@ -59,6 +59,13 @@ std::string describe(const v1::Plan& plan) {
     case v1::Method::kRgb:
       text += "rgb, ";
       break;
+    case v1::Method::kLinear:
+      text += "linear with " + counted(plan.bands(), "basis function", "basis functions") +
+              print(" (residual %.1e), ", plan.residual());
+      break;
+    case v1::Method::kExact:
+      text += "exact with " + counted(plan.signatures(), "signature", "signatures") + ", ";
+      break;
     case v1::Method::METHOD_NOT_SET:
       break;
   }

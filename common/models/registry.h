@@ -40,6 +40,8 @@ enum Trait : unsigned {
   symmetric_highlight = 64,  ///< The highlight by itself is, N·L left aside.
   /// Reflects no more than it gets, for d + s ≤ 1; of a slope: ∫2hD dh = 1, E[2.2-14].
   conserving = 128,
+  highlighted =
+      256,  ///< Uses the material's specularness and, or its Fresnel term in place of it, C_S.
 };
 
 struct Parameter {

@@ -90,7 +90,9 @@ void check_fresnel(const v1::Fresnel& fresnel, const std::string& field, Finding
   }
   if (findings.size() > before) return;
   if (auto wrong = formula_fault(fresnel.dielectric()); !wrong.empty()) {
-    findings.add(field + ".dielectric", std::move(wrong));
+    const bool sellmeier = fresnel.dielectric().has_sellmeier();
+    findings.add(field + (sellmeier ? ".dielectric.sellmeier" : ".dielectric.cauchy"),
+                 std::move(wrong));
   }
 }
 

@@ -30,7 +30,9 @@ void check_use(const Entry& model, models::Trait trait, const std::string& name,
   for (const Entry& entry : models::registry(models::Kind::model)) {
     if (entry.traits & trait) others.emplace_back(entry.name);
   }
+  const bool mirrors = name == "fresnel" || name == "specular";
   findings.add(field + "." + name, std::string(model.name) + " has no use for " + name +
+                                       (mirrors ? " without a mirror" : "") +
                                        "; models that have: " + join(others));
 }
 
@@ -84,7 +86,14 @@ void check_reflection(const v1::Material& material, const std::string& field, Fi
   // The mirror has a Fresnel term, whatever the model.
   use(material.has_fresnel() && material.mirror() == 0, models::has_fresnel, "fresnel");
   use(material.has_diffuseness(), models::weighted, "diffuseness");
-  use(material.has_specularness(), models::weighted, "specularness");
+  use(material.has_specularness(), models::highlighted, "specularness");
+  // The mirror has a colour, whatever the model.
+  use(material.has_specular() && material.mirror() == 0, models::highlighted, "specular");
+  const v1::Fresnel& fresnel = material.fresnel();
+  if (material.has_specular() && (fresnel.has_dielectric() || fresnel.has_conductor())) {
+    findings.add(field + ".specular",
+                 "specular has no effect: the exact Fresnel term takes its place");
+  }
 }
 
 }  // namespace metamer

@@ -109,6 +109,7 @@ std::string formula_fault(const v1::Dielectric& dielectric) {
   for (std::size_t i = 0; i < n.nm.size(); ++i) {
     // Also when it is not a number: a root of less than 0.
     if (value_fault(n.values[i], SpectrumRole::index).empty()) continue;
+    if (std::isnan(n.values[i])) return "n² is negative at " + number_text(n.nm[i]) + " nm";
     return "n must lie in 0.01..100 (it is " + number_text(n.values[i]) + " at " +
            number_text(n.nm[i]) + " nm)";
   }

@@ -23,6 +23,7 @@ v1::Settings with_defaults(const v1::Settings& settings) {
       point.set_step(5);
     }
   }
+  if (method.has_linear() && !method.linear().has_bases()) method.mutable_linear()->set_bases(4);
   return full;
 }
 

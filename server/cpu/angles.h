@@ -8,6 +8,14 @@ namespace metamer::cpu {
 /// A cosine as models want it: 0 behind the surface, and not above 1 by rounding.
 inline Float8 cosine(Float8 value) { return min(max(value, Float8{}), metamer::broadcast(1)); }
 
+/// The tangent, or `across` where the tangent is within 3° of the normal and would have no steady
+/// direction in the surface: at the poles of a ball, or all over a face that the x axis pierces.
+inline Vec8 steady_tangent(const Vec8& normal, const Vec8& tangent, const Vec8& across) {
+  const Float8 along = dot(normal, tangent);
+  const Int8 parallel = along * along > 0.9973f * dot(tangent, tangent) * dot(normal, normal);
+  return select(parallel, across, tangent);
+}
+
 /// Which of the angles that cost something a scene's models look at.
 struct NeededAngles {
   bool azimuth = false, tangent = false;

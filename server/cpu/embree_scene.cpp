@@ -2,10 +2,13 @@
 
 #include <limits>
 
+#include "server/cpu/angles.h"
+
 namespace metamer::cpu {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr std::array<float, 3> x_axis = {1, 0, 0}, z_axis = {0, 0, 1};
 /// Embree asserts beyond about 1.8e18; validation keeps scenes within 1e15.
 constexpr float far_out = 1e18f;
 
@@ -244,10 +247,6 @@ Hits EmbreeScene::intersect(const Vec8& origin, const Vec8& direction, Int8 acti
   // Embree leaves what it did not hit as it was: anything.
   hits.u = select(hits.hit, load(rays.hit.u), Float8{});
   hits.v = select(hits.hit, load(rays.hit.v), Float8{});
-  if (tangents_)
-    for (int i = 0; i < lane_count; ++i)
-      if (hits.hit[i]) shading_tangent(i, hits);
-
   // Turn the normals to the side that the ray came from.
   hits.geometric_normal = normalize(hits.geometric_normal);
   hits.normal = normalize(hits.normal);
@@ -256,6 +255,7 @@ Hits EmbreeScene::intersect(const Vec8& origin, const Vec8& direction, Int8 acti
       select(from_behind, hits.geometric_normal * broadcast(-1), hits.geometric_normal);
   const Int8 opposed = dot(hits.normal, hits.geometric_normal) < 0.0f;
   hits.normal = select(opposed, hits.normal * broadcast(-1), hits.normal);
+  if (tangents_) shading_tangents(hits);
   return hits;
 }
 
@@ -304,23 +304,32 @@ std::array<float, 3> EmbreeScene::corner_tangent(const Placed& placed, std::uint
   std::array<float, 3> tangent{};
   if (placed.mesh != nullptr && !placed.mesh->tangents.empty())
     tangent = placed.mesh->tangents[vertex];
-  if (tangent == std::array<float, 3>{}) tangent = {1, 0, 0};
+  if (tangent == std::array<float, 3>{}) tangent = x_axis;
   return mapped(placed.to_world, tangent, 0);
 }
 
-void EmbreeScene::shading_tangent(int lane, Hits& hits) const {
-  const Placed& placed = placed_[static_cast<std::size_t>(hits.object[lane])];
-  const auto add = [&](const std::array<float, 3>& v, float weight) {
-    hits.tangent.x[lane] += weight * v[0];
-    hits.tangent.y[lane] += weight * v[1];
-    hits.tangent.z[lane] += weight * v[2];
+void EmbreeScene::shading_tangents(Hits& hits) const {
+  Vec8 across{};
+  const auto add = [](Vec8& to, int lane, const std::array<float, 3>& v, float weight) {
+    to.x[lane] += weight * v[0];
+    to.y[lane] += weight * v[1];
+    to.z[lane] += weight * v[2];
   };
-  if (placed.mesh == nullptr) return add(corner_tangent(placed, 0), 1);
-  const auto& triangle = placed.mesh->triangles[static_cast<std::size_t>(hits.primitive[lane])];
-  const float u = hits.u[lane], v = hits.v[lane];
-  add(corner_tangent(placed, triangle[0]), 1 - u - v);
-  add(corner_tangent(placed, triangle[1]), u);
-  add(corner_tangent(placed, triangle[2]), v);
+  for (int lane = 0; lane < lane_count; ++lane) {
+    if (!hits.hit[lane]) continue;
+    const Placed& placed = placed_[static_cast<std::size_t>(hits.object[lane])];
+    add(across, lane, mapped(placed.to_world, z_axis, 0), 1);
+    if (placed.mesh == nullptr) {
+      add(hits.tangent, lane, corner_tangent(placed, 0), 1);
+      continue;
+    }
+    const auto& triangle = placed.mesh->triangles[static_cast<std::size_t>(hits.primitive[lane])];
+    const float u = hits.u[lane], v = hits.v[lane];
+    add(hits.tangent, lane, corner_tangent(placed, triangle[0]), 1 - u - v);
+    add(hits.tangent, lane, corner_tangent(placed, triangle[1]), u);
+    add(hits.tangent, lane, corner_tangent(placed, triangle[2]), v);
+  }
+  hits.tangent = steady_tangent(hits.normal, hits.tangent, across);
 }
 
 Corners EmbreeScene::corners(int object, int primitive) const {
@@ -328,6 +337,7 @@ Corners EmbreeScene::corners(int object, int primitive) const {
   const auto index = static_cast<std::size_t>(primitive);
   const std::vector<CornerNormals>& normals = placed.instance ? *placed.shared : placed.normals;
   Corners corners{};
+  corners.across = mapped(placed.to_world, z_axis, 0);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t vertex = placed.mesh->triangles[index][i];
     corners.position[i] = mapped(placed.to_world, placed.mesh->positions[vertex], 1);

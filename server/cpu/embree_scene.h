@@ -87,7 +87,7 @@ class EmbreeScene {
   void attach(RTCGeometry geometry);
   void shading_normal(const RTCRayHit8& rays, int lane, Hits& hits) const;
   std::array<float, 3> corner_tangent(const Placed& placed, std::uint32_t vertex) const;
-  void shading_tangent(int lane, Hits& hits) const;
+  void shading_tangents(Hits& hits) const;
 
   Device device_;
   std::vector<SceneHandle> shared_scenes_;

@@ -60,6 +60,7 @@ void Tracer::prepare_samples() {
 
 Tracer::Workspace Tracer::make_workspace() const {
   Workspace workspace;
+  workspace.scratch = method_.make_scratch();
   workspace.gathers.assign(block_width_ * block_height_, Gather(scene_.lights.size()));
   return workspace;
 }
@@ -95,7 +96,7 @@ void Tracer::render_block(std::uint32_t x, std::uint32_t y, const Film& film,
     if (px < film.width && py < film.height)
       film.set(px, py,
                method_.resolve(workspace.gathers[pixel], 1 / static_cast<float>(spp_),
-                               workspace.scratch));
+                               *workspace.scratch));
   }
 }
 

@@ -1,5 +1,7 @@
 #include "server/cpu/triangle_places.h"
 
+#include "server/cpu/angles.h"
+
 namespace metamer::cpu {
 namespace {
 
@@ -84,6 +86,8 @@ TrianglePlaces triangle_places(v1::Shading shading, const Corners& corners, cons
   places.normal = select(none, flat, places.normal);
   const Int8 behind = dot(places.normal, flat) < 0.0f;
   places.normal = select(behind, places.normal * metamer::broadcast(-1), places.normal);
+  places.tangent =
+      steady_tangent(places.normal, places.tangent, metamer::broadcast(corners.across));
   return places;
 }
 

@@ -13,6 +13,7 @@ namespace metamer::cpu {
 /// A triangle's corners in the world; normals and tangents of any length.
 struct Corners {
   std::array<std::array<float, 3>, 3> position, normal, tangent;
+  std::array<float, 3> across;  ///< Takes a tangent's place where that is along the normal.
 };
 
 inline constexpr int max_places = 6;

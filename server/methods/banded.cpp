@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "server/methods/fresnel_table.h"
-#include "server/models/lanes.h"
-
 namespace metamer {
 namespace {
 
@@ -25,21 +22,14 @@ void add_lobes(std::size_t n, Row carrier, ConstRow light, ConstRow diffuse, Con
     carrier[i] += light[i] * (w.diffuse * diffuse[i] + (w.specular * specular[i] + w.white));
 }
 
-void add_reflected(std::size_t n, Row carrier, ConstRow incoming, ConstRow specular) {
-  for (std::size_t i = 0; i < n; ++i) carrier[i] += incoming[i] * specular[i];
+/// Over a mirror whose factor is one row, or a weighted sum of two.
+void add_mirrored(std::size_t n, Row carrier, ConstRow incoming, ConstRow row) {
+  for (std::size_t i = 0; i < n; ++i) carrier[i] += incoming[i] * row[i];
 }
 
-/// Through Schlick's Fresnel term, E[2.2-12]: f + (1 − f) rise.
-void add_schlick(std::size_t n, Row carrier, ConstRow incoming, ConstRow specular, float rise) {
-  for (std::size_t i = 0; i < n; ++i)
-    carrier[i] += incoming[i] * (specular[i] + (1 - specular[i]) * rise);
-}
-
-/// Through a Fresnel term `fraction` of the way between two nodes.
-void add_between(std::size_t n, Row carrier, ConstRow incoming, ConstRow below, ConstRow above,
-                 float fraction) {
-  for (std::size_t i = 0; i < n; ++i)
-    carrier[i] += incoming[i] * (below[i] + fraction * (above[i] - below[i]));
+void add_mirrored(std::size_t n, Row carrier, ConstRow incoming, ConstRow first, float w,
+                  ConstRow second, float v) {
+  for (std::size_t i = 0; i < n; ++i) carrier[i] += incoming[i] * (w * first[i] + v * second[i]);
 }
 
 /// A dot product in 16 partial sums: vectorised whatever the compiler may assume of addition, and
@@ -65,19 +55,28 @@ void BandTable::set(std::size_t index, const std::vector<double>& values) {
                  [](double value) { return static_cast<float>(value); });
 }
 
-BandedMethod::BandedMethod(Tables tables, const std::vector<RenderMaterial>& materials)
-    : tables_(std::move(tables)) {
-  for (const RenderMaterial& material : materials)
-    materials_.push_back({material.fresnel, material.diffuse, material.specular,
-                          material.constants * fresnel_nodes});
+namespace {
+
+/// The carriers of a pixel's paths.
+struct Carriers : Method::Scratch {
+  std::vector<float> values;
+};
+
+}  // namespace
+
+std::unique_ptr<Method::Scratch> BandedMethod::make_scratch() const {
+  return std::make_unique<Carriers>();
 }
+
+BandedMethod::BandedMethod(SceneRows rows, Tables tables)
+    : rows_(std::move(rows)), tables_(std::move(tables)) {}
 
 /// Adds what one surface reflects of each light.
 void BandedMethod::reflect(const Gather& gather, std::size_t surface, float* carrier) const {
   const std::size_t n = tables_.xyz.stride();
-  const Spectra& spectra = materials_[gather.surfaces()[surface].material];
-  const float* diffuse = tables_.properties.row(spectra.diffuse);
-  const float* specular = tables_.properties.row(spectra.specular);
+  const SceneRows::Surface& own = rows_.surface(gather.surfaces()[surface].material);
+  const float* diffuse = tables_.rows.row(own.diffuse);
+  const float* specular = tables_.rows.row(own.specular);
   const auto weights = gather.weights(surface);
   for (std::size_t light = 0; light < weights.size(); ++light) {
     const LobeWeights& w = weights[light];
@@ -88,33 +87,13 @@ void BandedMethod::reflect(const Gather& gather, std::size_t surface, float* car
   }
 }
 
-/// Adds what the last mirror of `path` reflects.
-void BandedMethod::add_mirror(const Gather::Path& path, const float* from, float* to) const {
-  const std::size_t n = tables_.xyz.stride();
-  const Spectra& spectra = materials_[path.material];
-  switch (spectra.fresnel) {
-    case FresnelKind::none:
-      add_reflected(n, to, from, tables_.properties.row(spectra.specular));
-      break;
-    case FresnelKind::schlick:
-      add_schlick(n, to, from, tables_.properties.row(spectra.specular),
-                  models::schlick_rise(path.cosine));
-      break;
-    case FresnelKind::exact: {
-      const FresnelPlace place = fresnel_place(path.cosine);
-      const float* below = tables_.fresnel.row(spectra.first_node + place.below);
-      add_between(n, to, from, below, below + n, place.fraction);
-      break;
-    }
-  }
-}
-
 std::array<float, 3> BandedMethod::resolve(const Gather& gather, float scale,
                                            Scratch& scratch) const {
   const std::size_t n = tables_.xyz.stride();
   const auto paths = gather.paths();
-  scratch.assign(paths.size() * n, 0.0f);
-  const auto carrier = [&](std::size_t path) { return scratch.data() + path * n; };
+  std::vector<float>& carriers = static_cast<Carriers&>(scratch).values;
+  carriers.assign(paths.size() * n, 0.0f);
+  const auto carrier = [&](std::size_t path) { return carriers.data() + path * n; };
 
   // Reflect each light by each surface, at the end of the surface's path.
   const auto surfaces = gather.surfaces();
@@ -122,13 +101,21 @@ std::array<float, 3> BandedMethod::resolve(const Gather& gather, float scale,
   for (const Gather::FresnelWeight& one : gather.fresnel()) {
     const Gather::Surface& surface = surfaces[one.surface];
     add_diffuse(n, carrier(surface.path), tables_.lights.row(one.light),
-                tables_.fresnel.row(materials_[surface.material].first_node + one.node),
+                tables_.rows.row(rows_.surface(surface.material).first_node + one.node),
                 one.weight);
   }
 
   // Carry the light back over the mirrors, the longest paths first.
-  for (std::size_t path = paths.size(); path-- > 1;)
-    add_mirror(paths[path], carrier(path), carrier(paths[path].parent));
+  for (std::size_t path = paths.size(); path-- > 1;) {
+    float* to = carrier(paths[path].parent);
+    const SceneRows::Factor mirror = rows_.mirror(paths[path].material, paths[path].cosine);
+    const float* first = tables_.rows.row(mirror.row[0]);
+    if (mirror.count == 1)
+      add_mirrored(n, to, carrier(path), first);
+    else
+      add_mirrored(n, to, carrier(path), first, mirror.weight[0], tables_.rows.row(mirror.row[1]),
+                   mirror.weight[1]);
+  }
 
   // Integrate what reaches the eye.
   return {scale * dot(n, carrier(0), tables_.xyz.row(0)),

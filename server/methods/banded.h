@@ -3,6 +3,7 @@
 #include <new>
 
 #include "server/methods/method.h"
+#include "server/methods/scene_rows.h"
 
 namespace metamer {
 
@@ -30,25 +31,20 @@ class BandTable {
 class BandedMethod : public Method {
  public:
   struct Tables {
-    BandTable lights;      ///< A row a light of the scene.
-    BandTable properties;  ///< A row a property spectrum of the scene.
-    BandTable fresnel;     ///< fresnel_nodes rows for each of the scene's optical constants.
-    BandTable xyz;         ///< Three rows, the weights of X, Y and Z.
+    BandTable lights;  ///< A row a light of the scene.
+    BandTable rows;    ///< A row for each of SceneRows.
+    BandTable xyz;     ///< Three rows, the weights of X, Y and Z.
   };
-  BandedMethod(Tables tables, const std::vector<RenderMaterial>& materials);
+  BandedMethod(SceneRows rows, Tables tables);
 
+  std::unique_ptr<Scratch> make_scratch() const override;
   std::array<float, 3> resolve(const Gather& gather, float scale, Scratch& scratch) const override;
 
  private:
-  struct Spectra {
-    FresnelKind fresnel;
-    std::uint32_t diffuse, specular, first_node;
-  };
   void reflect(const Gather& gather, std::size_t surface, float* carrier) const;
-  void add_mirror(const Gather::Path& path, const float* from, float* to) const;
 
+  SceneRows rows_;
   Tables tables_;
-  std::vector<Spectra> materials_;
 };
 
 }  // namespace metamer

@@ -5,6 +5,8 @@
 
 #include "common/color/xyz.h"
 #include "common/scene/settings.h"
+#include "server/methods/exact.h"
+#include "server/methods/linear.h"
 #include "server/methods/point.h"
 #include "server/methods/rgb.h"
 
@@ -16,6 +18,10 @@ std::unique_ptr<Method> make_method(const v1::Plan& plan, const RenderScene& sce
       return make_point(plan, scene);
     case v1::Method::kRgb:
       return make_rgb(plan, scene);
+    case v1::Method::kExact:
+      return make_exact(plan, scene);
+    case v1::Method::kLinear:
+      return make_linear(plan, scene);
     case v1::Method::METHOD_NOT_SET:
       break;
   }
@@ -27,6 +33,9 @@ Wavelengths method_wavelengths(const v1::Method& method) {
   switch (method.method_case()) {
     case v1::Method::kPoint:
       return *point_wavelengths(method.point());
+    case v1::Method::kExact:
+    case v1::Method::kLinear:
+      return exact_wavelengths();
     case v1::Method::kRgb:
     case v1::Method::METHOD_NOT_SET:
       break;
@@ -35,7 +44,8 @@ Wavelengths method_wavelengths(const v1::Method& method) {
 }
 
 std::size_t method_bands(const v1::Method& method) {
-  return method.has_rgb() ? 3 : method_wavelengths(method).size();
+  if (method.has_linear()) return method.linear().bases();
+  return method.has_point() ? method_wavelengths(method).size() : 3;
 }
 
 void notice_dark_lights(const RenderScene& scene, const v1::Settings& settings,

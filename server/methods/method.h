@@ -17,8 +17,11 @@ class Method {
  public:
   virtual ~Method() = default;
 
-  /// A thread's own working memory.
-  using Scratch = std::vector<float>;
+  /// A thread's own working memory, for this method alone.
+  struct Scratch {
+    virtual ~Scratch() = default;
+  };
+  virtual std::unique_ptr<Scratch> make_scratch() const = 0;
 
   /// The light of one pixel, X Y Z, `scale` times the sums of `gather` (1 / samples).
   virtual std::array<float, 3> resolve(const Gather& gather, float scale,

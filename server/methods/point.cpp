@@ -3,7 +3,6 @@
 #include "common/color/xyz.h"
 #include "common/scene/settings.h"
 #include "server/methods/banded.h"
-#include "server/methods/fresnel_table.h"
 
 namespace metamer {
 
@@ -22,23 +21,15 @@ std::unique_ptr<Method> make_point(const v1::Plan& plan, const RenderScene& scen
     lights.set(i, power);
   }
 
-  BandTable properties(scene.properties.size(), bands);
-  for (std::size_t i = 0; i < scene.properties.size(); ++i)
-    properties.set(i, resample(scene.properties[i], wavelengths.nm(), Outside::hold).values);
-
-  BandTable fresnel(scene.constants.size() * fresnel_nodes, bands);
-  for (std::size_t i = 0; i < scene.constants.size(); ++i) {
-    const ConstantsAt constants = resample(scene.constants[i], wavelengths.nm());
-    for (std::uint32_t node = 0; node < fresnel_nodes; ++node)
-      fresnel.set(i * fresnel_nodes + node, fresnel_at(constants, fresnel_node(node)));
-  }
+  SceneRows rows(scene);
+  BandTable values(rows.size(), bands);
+  rows.for_each(scene, wavelengths.nm(),
+                [&](std::uint32_t row, const std::vector<double>& at) { values.set(row, at); });
 
   BandTable xyz(3, bands);
   for (std::size_t i = 0; i < 3; ++i) xyz.set(i, observer.weights[i]);
   return std::make_unique<BandedMethod>(
-      BandedMethod::Tables{std::move(lights), std::move(properties), std::move(fresnel),
-                           std::move(xyz)},
-      scene.materials);
+      std::move(rows), BandedMethod::Tables{std::move(lights), std::move(values), std::move(xyz)});
 }
 
 }  // namespace metamer

@@ -4,7 +4,6 @@
 #include "common/color/xyz.h"
 #include "common/scene/settings.h"
 #include "server/methods/banded.h"
-#include "server/methods/fresnel_table.h"
 
 namespace metamer {
 namespace {
@@ -43,29 +42,20 @@ std::unique_ptr<Method> make_rgb(const v1::Plan& plan, const RenderScene& scene)
     lights.set(i, light_rgb(observer, scene.emissions[scene.lights[i].emission], wavelengths.nm(),
                             scene.lights[i].luminance));
 
-  BandTable properties(scene.properties.size(), 3);
-  for (std::size_t i = 0; i < scene.properties.size(); ++i)
-    properties.set(
-        i,
-        surface_rgb(observer, resample(scene.properties[i], wavelengths.nm(), Outside::hold).values,
-                    wavelengths.nm()));
-
-  BandTable fresnel(scene.constants.size() * fresnel_nodes, 3);
-  for (std::size_t i = 0; i < scene.constants.size(); ++i) {
-    const ConstantsAt constants = resample(scene.constants[i], wavelengths.nm());
-    for (std::uint32_t node = 0; node < fresnel_nodes; ++node)
-      fresnel.set(
-          i * fresnel_nodes + node,
-          surface_rgb(observer, fresnel_at(constants, fresnel_node(node)), wavelengths.nm()));
-  }
+  SceneRows rows(scene);
+  BandTable values(rows.size(), 3);
+  rows.for_each(scene, wavelengths.nm(), [&](std::uint32_t row, std::vector<double> at) {
+    // White is what it is: the tables' D65 and that of sRGB differ in the fourth digit.
+    values.set(row, row == SceneRows::white
+                        ? std::vector<double>{1, 1, 1}
+                        : surface_rgb(observer, std::move(at), wavelengths.nm()));
+  });
 
   BandTable xyz(3, 3);
   for (std::size_t i = 0; i < 3; ++i)
     xyz.set(i, {srgb::to_xyz_matrix()[i].begin(), srgb::to_xyz_matrix()[i].end()});
   return std::make_unique<BandedMethod>(
-      BandedMethod::Tables{std::move(lights), std::move(properties), std::move(fresnel),
-                           std::move(xyz)},
-      scene.materials);
+      std::move(rows), BandedMethod::Tables{std::move(lights), std::move(values), std::move(xyz)});
 }
 
 }  // namespace metamer

@@ -4,6 +4,8 @@
 #include <set>
 
 #include "common/scene/settings.h"
+#include "server/methods/exact.h"
+#include "server/methods/linear.h"
 #include "server/methods/method.h"
 
 namespace metamer {
@@ -42,6 +44,23 @@ void notice_gaps(const Spectrum& spectrum, const std::string& field, Outside out
   say(resampled.above, "above", spectrum.nm.back());
 }
 
+/// Says how good the basis is, and where it has fewer functions than were asked for.
+void plan_basis(const RenderScene& scene, const v1::Settings& settings, v1::Plan& plan) {
+  const v1::Linear& linear = settings.method().linear();
+  const LinearBasis basis = scene_basis(linear, to_observer(settings.observer()), scene);
+  plan.set_condition(basis.condition);
+  plan.set_residual(basis.residual);
+  for (Eigen::Index i = 0; i < std::min<Eigen::Index>(16, basis.singular_values.size()); ++i)
+    plan.add_singular_value(basis.singular_values[i]);
+  const auto found = static_cast<std::uint32_t>(basis.functions.cols());
+  if (found == linear.bases()) return;
+  plan.set_bands(found);
+  v1::Notice* notice = plan.add_notice();
+  notice->set_field("settings.method.linear.bases");
+  notice->set_message("the scene's spectra span no more than " + std::to_string(found) +
+                      (found == 1 ? " function" : " functions"));
+}
+
 /// The objects of which one thing is said, told once however many they are.
 struct Group {
   std::size_t first = 0, count = 0;
@@ -56,18 +75,36 @@ struct Group {
   }
 };
 
+/// Some of its vertices have UVs without a direction.
+bool lacks_direction(const TriangleMesh& mesh) {
+  return std::find(mesh.tangents.begin(), mesh.tangents.end(), std::array<float, 3>{}) !=
+         mesh.tangents.end();
+}
+
 /// Says which tangents anisotropic materials see, and where a kind of shading means nothing.
 void notice_objects(const RenderScene& scene, v1::Plan& plan) {
-  Group by_uv, by_axis, spheres;
+  Group by_uv, by_both, by_axis, spheres, quadratic;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const RenderObject& object = scene.objects[i];
     const bool sphere = object.shape == RenderObject::Shape::sphere;
-    if (scene.materials[object.material].anisotropic())
-      (!sphere && !scene.meshes[object.mesh].tangents.empty() ? by_uv : by_axis).add(i);
+    if (scene.materials[object.material].anisotropic()) {
+      const bool has_uvs = !sphere && !scene.meshes[object.mesh].tangents.empty();
+      (!has_uvs ? by_axis : lacks_direction(scene.meshes[object.mesh]) ? by_both : by_uv).add(i);
+    }
+    if (!sphere && object.shading == v1::QUADRATIC) quadratic.add(i);
     if (sphere && object.shading != v1::PHONG) spheres.add(i);
   }
   by_uv.say("its tangents point towards rising u of its UVs", plan);
-  by_axis.say("it has no UVs: its tangents point along the x axis of its transform", plan);
+  by_both.say(
+      "its tangents point towards rising u of its UVs, and along the x axis of its "
+      "transform where those have no direction",
+      plan);
+  by_axis.say(
+      "it has no UVs: its tangents point along the x axis of its transform, along its z axis "
+      "where that is the normal",
+      plan);
+  quadratic.say("QUADRATIC falls below 0 beside a highlight that is sharper than the triangles",
+                plan);
   spheres.say("a sphere has no corners: it is shaded by PHONG", plan);
 }
 
@@ -105,6 +142,9 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
   plan.set_from(wavelengths.nm().front());
   plan.set_to(wavelengths.nm().back());
   plan.set_bands(static_cast<std::uint32_t>(method_bands(settings.method())));
+
+  if (settings.method().has_exact()) plan.set_signatures(direct_signatures(scene));
+  if (settings.method().has_linear()) plan_basis(scene, settings, plan);
 
   list_models(scene, plan);
   plan.set_lights(static_cast<std::uint32_t>(scene.lights.size()));

@@ -100,9 +100,28 @@ Result<void> check(const aiScene& scene) {
   return {};
 }
 
+/// Which vertices have a direction of rising u: those of a triangle whose UVs are finite and span
+/// an area. A file may name UVs for some of its faces, or the same one everywhere.
+std::vector<bool> directed(const aiMesh& mesh) {
+  std::vector<bool> result(mesh.mNumVertices, false);
+  if (!mesh.HasTangentsAndBitangents() || !mesh.HasTextureCoords(0)) return result;
+  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+    const aiFace& face = mesh.mFaces[f];
+    if (face.mNumIndices != 3) continue;
+    const auto uv = [&](unsigned corner) { return mesh.mTextureCoords[0][face.mIndices[corner]]; };
+    const aiVector3D a = uv(1) - uv(0), b = uv(2) - uv(0);
+    const float area = std::abs(a.x * b.y - a.y * b.x);
+    const float sides = std::hypot(a.x, a.y) * std::hypot(b.x, b.y);
+    if (!(area > 1e-6f * sides) || !std::isfinite(sides)) continue;
+    for (unsigned corner = 0; corner < 3; ++corner) result[face.mIndices[corner]] = true;
+  }
+  return result;
+}
+
 /// Appends one mesh of a file to the joined one.
 void append(const aiMesh& from, bool tangents, TriangleMesh& to) {
   const auto base = static_cast<std::uint32_t>(to.positions.size());
+  const std::vector<bool> has_direction = tangents ? directed(from) : std::vector<bool>();
   for (unsigned i = 0; i < from.mNumVertices; ++i) {
     const aiVector3D& position = from.mVertices[i];
     to.positions.push_back({position.x, position.y, position.z});
@@ -112,9 +131,8 @@ void append(const aiMesh& from, bool tangents, TriangleMesh& to) {
     normal.NormalizeSafe();
     to.normals.push_back({normal.x, normal.y, normal.z});
     if (!tangents) continue;
-    // Towards rising u; Assimp writes NaN where the UVs have no direction.
-    aiVector3D tangent;
-    if (from.HasTangentsAndBitangents()) tangent = from.mTangents[i];
+    aiVector3D tangent;  // Towards rising u.
+    if (has_direction[i]) tangent = from.mTangents[i];
     if (!std::isfinite(tangent.SquareLength())) tangent = {0, 0, 0};
     tangent.NormalizeSafe();
     to.tangents.push_back({tangent.x, tangent.y, tangent.z});

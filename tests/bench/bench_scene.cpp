@@ -73,7 +73,8 @@ RenderScene make_ground(unsigned side, bool mirrors) {
     material.reflection.parameters = {0.8f, shiny ? 0.3f : 0.0f, 60.0f};
     scene.materials.push_back(std::move(material));
     scene.meshes.push_back(stripe(-2 + 4.0 * i / stripes, 4.0 / stripes, side / stripes, side));
-    scene.objects.push_back({name, RenderObject::Shape::mesh, i, i, v1::PHONG, Eigen::Affine3d::Identity()});
+    scene.objects.push_back(
+        {name, RenderObject::Shape::mesh, i, i, v1::PHONG, Eigen::Affine3d::Identity()});
   }
   return scene;
 }

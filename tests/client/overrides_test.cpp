@@ -127,8 +127,7 @@ TEST(Overrides, ErrorsSayWhatWasExpected) {
 
   Overrides shading;
   shading.shading = "goraud";
-  EXPECT_EQ(error_of(shading),
-            "--shading: no shading named \"goraud\"; did you mean \"gouraud\"?");
+  EXPECT_EQ(error_of(shading), "--shading: no shading named \"goraud\"; did you mean \"gouraud\"?");
   Overrides observer;
   observer.observer = "cie-1931";
   EXPECT_EQ(error_of(observer), "--observer: no observer named \"cie-1931\"");

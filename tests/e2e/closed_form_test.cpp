@@ -84,7 +84,7 @@ std::string scene_text(const std::string& material, const std::string& light) {
          light +
          " }\n"
          "material { name: \"paint\" diffuse { " +
-         samples(paint) + " } specular { " + samples(gloss) + " } " + material +
+         samples(paint) + " } " + material +
          " }\n"
          "object { material: \"paint\" quad { corner { x: -1 y: -1 } u { x: 2 } v { y: 2 } } }\n"
          "settings { width: 9 height: 9 spp: 4 }\n";
@@ -153,7 +153,9 @@ TEST_F(ClosedForm, DiffuseQuadUnderAPointLight) {
 TEST_F(ClosedForm, HighlightOfBlinnPhong) {
   const std::string scene = folder.write(
       "quad.txtpb",
-      scene_text("diffuseness: 0.6 specularness: 0.4 blinn_phong { shininess: 12 }", ""));
+      scene_text("specular { " + samples(gloss) +
+                     " } diffuseness: 0.6 specularness: 0.4 blinn_phong { shininess: 12 }",
+                 ""));
   // H lies halfway between L = (0.6, 0, 0.8) and V = N = (0, 0, 1).
   const double n_dot_l = light_position[2] / 5;
   const double n_dot_h = 1.8 / std::hypot(0.6, 1.8);

@@ -15,7 +15,6 @@ inline constexpr int law_inputs = 100'000, law_integrals = 30;
 inline constexpr int law_inputs = 1'000'000, law_integrals = 300;
 #endif
 
-
 class Random {
  public:
   double between(double min, double max);

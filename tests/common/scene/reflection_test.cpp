@@ -62,10 +62,10 @@ TEST(SceneReflection, WhatAModelHasNoUseForIsSaid) {
                      "material[0].attenuation: blinn_phong has no use for attenuation; models that "
                      "have: cook_torrance, blinn"}));
   EXPECT_EQ(of_material("strauss {} diffuseness: 0.5 specularness: 0.5").size(), 2u);
-  EXPECT_EQ(
-      of_material("fresnel { schlick {} }"),
-      Strings({"material[0].fresnel: lambert has no use for fresnel; models that have: phong, "
-               "hall_greenberg, cook_torrance, blinn"}));
+  EXPECT_EQ(of_material("fresnel { schlick {} }"),
+            Strings({"material[0].fresnel: lambert has no use for fresnel without a mirror; models "
+                     "that have: phong, "
+                     "hall_greenberg, cook_torrance, blinn"}));
   EXPECT_EQ(of_material("mirror: 0.5 fresnel { schlick {} }"), Strings());
 }
 
@@ -115,9 +115,10 @@ TEST(SceneReflection, FresnelTermsAreCheckedWhereTheyStand) {
                "1 c)"}));
   // A pole of the formula among the visible wavelengths.
   EXPECT_EQ(fresnel("dielectric { sellmeier { b: 1 c: 0.25 } }").size(), 1u);
-  EXPECT_EQ(fresnel("dielectric { cauchy { a: -1 } }"),
-            Strings({"material[0].fresnel.dielectric: n must lie in 0.01..100 (it is -1 at 360 "
-                     "nm)"}));
+  EXPECT_EQ(
+      fresnel("dielectric { cauchy { a: -1 } }"),
+      Strings({"material[0].fresnel.dielectric.cauchy: n must lie in 0.01..100 (it is -1 at 360 "
+               "nm)"}));
 }
 
 TEST(SceneReflection, AttenuationHasTheRoughnessOfTheSlopes) {

@@ -96,11 +96,13 @@ TEST(SceneValidate, Light) {
 }
 
 TEST(SceneValidate, Material) {
-  EXPECT_EQ(findings({.material = "material { name: \"grey\" diffuseness: 1.5 specularness: -0.5 "
-                                  "mirror: 2 }"}),
-            Strings({"material[0].diffuseness: diffuseness must lie in 0..1 (it is 1.5)",
-                     "material[0].specularness: specularness must lie in 0..1 (it is -0.5)",
-                     "material[0].mirror: mirror must lie in 0..1 (it is 2)"}));
+  EXPECT_EQ(
+      findings({.material =
+                    "material { name: \"grey\" blinn_phong {} diffuseness: 1.5 specularness: -0.5 "
+                    "mirror: 2 }"}),
+      Strings({"material[0].diffuseness: diffuseness must lie in 0..1 (it is 1.5)",
+               "material[0].specularness: specularness must lie in 0..1 (it is -0.5)",
+               "material[0].mirror: mirror must lie in 0..1 (it is 2)"}));
   EXPECT_EQ(findings({.material = "material { name: \"grey\" } material { }"}),
             Strings({"material[1]: material needs a name"}));
 }

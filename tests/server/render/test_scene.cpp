@@ -31,6 +31,10 @@ RenderScene compile_text(const std::string& text) {
   return std::move(*compiled);
 }
 
+std::array<float, 3> resolve(const Method& method, const Gather& gather) {
+  return method.resolve(gather, 1, *method.make_scratch());
+}
+
 Rendered render(const std::string& scene_text) {
   const RenderScene scene = to_camera_space(compile_text(scene_text));
   const v1::Settings settings = with_defaults(parse_scene(scene_text).settings());

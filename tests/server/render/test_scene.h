@@ -8,6 +8,7 @@
 #include "metamer/v1/plan.pb.h"
 #include "metamer/v1/scene.pb.h"
 #include "server/film/film.h"
+#include "server/methods/method.h"
 #include "server/scene/render_scene.h"
 
 namespace metamer::test {
@@ -28,6 +29,9 @@ struct Rendered {
     return {p[0], p[1], p[2]};
   }
 };
+
+/// What a method makes of one pixel.
+std::array<float, 3> resolve(const Method& method, const Gather& gather);
 
 /// Compiles, plans and renders on this thread, by tiles of the settings' size.
 Rendered render(const std::string& scene_text);

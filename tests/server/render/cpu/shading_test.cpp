@@ -125,8 +125,8 @@ std::vector<std::string> materials() {
   std::vector<std::string> all;
   for (const auto& model : models::registry(Kind::model)) {
     const std::string name = std::string(model.name) + " {}";
-    const std::string weights =
-        model.traits & models::weighted ? "diffuseness: 0.6 specularness: 0.4 " : "";
+    std::string weights = model.traits & models::weighted ? "diffuseness: 0.6 " : "";
+    if (model.traits & models::highlighted) weights += "specularness: 0.4 ";
     all.push_back(weights + name);
     for (const auto& term : models::registry(Kind::diffuse))
       all.push_back(weights + name + " " + term.name + " {}");
@@ -157,7 +157,7 @@ TEST(Shading, EveryModelWithEachOfItsPartsAndEachShadingGivesAPicture) {
           "camera { eye { y: 1 z: 4 } target {} vertical_fov: 35 } "
           "light { name: 'a' position { x: 1 y: 2 z: 3 } spectrum { standard: 'D65' } solid_angle: "
           "0.1 } light { name: 'b' direction { x: 1 y: -1 } spectrum { standard: 'F11' } } "
-          "material { name: 'm' diffuse { constant: 0.5 } specular { constant: 0.7 } " +
+          "material { name: 'm' diffuse { constant: 0.5 } " +
           material +
           " } object { name: 'q' material: 'm' quad { corner { x: -1 y: -0.5 z: 1 } u { x: 2 } v { "
           "z: -2 } } } object { name: 's' material: 'm' sphere { center { y: 0.2 } radius: 0.4 } } "

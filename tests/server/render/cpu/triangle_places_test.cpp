@@ -79,8 +79,8 @@ TEST(TrianglePlaces, NeighboursThatShareVerticesShowNoSeam) {
     std::array<std::array<float, 3>, 4> p, n, t;
     for (std::size_t i = 0; i < 4; ++i) p[i] = triple(), n[i] = triple(), t[i] = triple();
     for (auto& one : n) one[2] = std::abs(one[2]) + 0.1f;
-    const Corners left{{p[0], p[1], p[2]}, {n[0], n[1], n[2]}, {t[0], t[1], t[2]}};
-    const Corners right{{p[2], p[1], p[3]}, {n[2], n[1], n[3]}, {t[2], t[1], t[3]}};
+    const Corners left{{p[0], p[1], p[2]}, {n[0], n[1], n[2]}, {t[0], t[1], t[2]}, {}};
+    const Corners right{{p[2], p[1], p[3]}, {n[2], n[1], n[3]}, {t[2], t[1], t[3]}, {}};
     for (const v1::Shading shading : {v1::GOURAUD, v1::QUADRATIC})
       for (double s : {0.0, 0.25, 0.7, 1.0}) {
         // The point b + s (c − b): u = 1 − s, v = s on the left, u = 1 − s, v = 0 on the right.
@@ -96,7 +96,8 @@ TEST(TrianglePlaces, NeighboursThatShareVerticesShowNoSeam) {
 TEST(TrianglePlaces, ConstantLooksAtTheMiddleWithTheTrianglesOwnNormal) {
   const Corners corners{{{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}}},
                         {{{1, 0, 0}, {1, 0, 0}, {1, 0, 0}}},
-                        {{{0, 1, 0}, {0, 1, 0}, {0, 1, 0}}}};
+                        {{{0, 1, 0}, {0, 1, 0}, {0, 1, 0}}},
+                        {}};
   const TrianglePlaces places = triangle_places(v1::CONSTANT, corners, {0, 0, -1});
   EXPECT_EQ(places.count, 1);
   EXPECT_EQ(places.position.x[0], 1);
@@ -106,7 +107,7 @@ TEST(TrianglePlaces, ConstantLooksAtTheMiddleWithTheTrianglesOwnNormal) {
 
 TEST(TrianglePlaces, NormalsAreOnTheSideThatIsSeenAndTheTrianglesOwnWhereTheMeshHasNone) {
   const Corners corners{
-      {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0, 0, -2}, {0, 3, 4}, {0, 0, 0}}}, {}};
+      {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0, 0, -2}, {0, 3, 4}, {0, 0, 0}}}, {}, {}};
   const TrianglePlaces places = triangle_places(v1::GOURAUD, corners, {0, 0, 1});
   EXPECT_FLOAT_EQ(places.normal.z[0], 1);
   EXPECT_FLOAT_EQ(places.normal.y[1], 0.6f);

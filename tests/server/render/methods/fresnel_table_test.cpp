@@ -130,8 +130,7 @@ TEST(FresnelTable, AMirrorHasTheColourOfItsTermAtNV) {
     for (std::size_t i = 0; i < expected.size(); ++i)
       expected[i] += weight * first[i] * models::schlick_fresnel(v, 0.04);
   }
-  Method::Scratch scratch;
-  const auto xyz = method->resolve(gather, 1, scratch);
+  const auto xyz = test::resolve(*method, gather);
   const Xyz exact = lit(wavelengths, "A", expected);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(xyz[i] / exact[i], 1, 3e-5);
 }

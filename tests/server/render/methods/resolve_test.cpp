@@ -92,14 +92,67 @@ TEST(Point, IsTheSumOverItsWavelengthsForEachSamplingAndObserver) {
   const RenderScene scene = test::compile_text(scene_text);
   for (const v1::Method& choice : methods)
     for (auto observer : {v1::CIE_1931_2DEG, v1::CIE_1964_10DEG}) {
-      Method::Scratch scratch;
       const auto xyz =
-          make_method(plan_for(choice, observer), scene)->resolve(example_gather(), 1, scratch);
+          test::resolve(*make_method(plan_for(choice, observer), scene), example_gather());
       const Xyz exact = expected(method_wavelengths(choice), observer == v1::CIE_1931_2DEG
                                                                  ? cie::Observer::cie_1931_2deg
                                                                  : cie::Observer::cie_1964_10deg);
       for (std::size_t i = 0; i < 3; ++i)
         EXPECT_NEAR(xyz[i] / exact[i], 1, 2e-6) << choice.ShortDebugString();
+    }
+}
+
+TEST(Exact, IsPointSamplingAtEveryNanometre) {
+  v1::Method exact, point;
+  exact.mutable_exact();
+  point.mutable_point()->set_from(360);
+  point.mutable_point()->set_to(830);
+  point.mutable_point()->set_step(1);
+  const RenderScene scene = test::compile_text(scene_text);
+  for (auto observer : {v1::CIE_1931_2DEG, v1::CIE_1964_10DEG}) {
+    const auto xyz =
+        test::resolve(*make_method(plan_for(exact, observer), scene), example_gather());
+    const auto reference =
+        test::resolve(*make_method(plan_for(point, observer), scene), example_gather());
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(xyz[i] / reference[i], 1, 2e-6);
+  }
+}
+
+TEST(Exact, KeepsToItOverMirrorsWithFresnelTermsHoweverMany) {
+  const RenderScene scene = test::compile_text(R"(
+    camera { eye { z: 3 } target {} }
+    light { name: "a" position { y: 2 } spectrum { standard: "F11" } luminance: 0.8 }
+    light { name: "b" position { y: 1 } spectrum { standard: "A" } luminance: 0.3 }
+    material {
+      name: "paint" specularness: 0.5 fresnel { conductor { metal: "Cu" } } hall_greenberg {}
+      diffuse { samples { wavelength: [400, 500, 600, 700] value: [0.1, 0.7, 0.2, 0.5] } }
+    }
+    material { name: "gold" mirror: 1 fresnel { conductor { metal: "Au" } } }
+    material { name: "lacquer" mirror: 1 specular { constant: 0.1 } fresnel { schlick {} } }
+    object { name: "o" material: "paint" sphere { radius: 1 } })");
+  v1::Method exact, point;
+  exact.mutable_exact();
+  point.mutable_point()->set_from(360);
+  point.mutable_point()->set_to(830);
+  point.mutable_point()->set_step(1);
+  const auto method = make_method(plan_for(exact, v1::CIE_1931_2DEG), scene);
+  const auto reference = make_method(plan_for(point, v1::CIE_1931_2DEG), scene);
+  const auto scratch = method->make_scratch();
+  // Up to seven mirrors: 2⁷ products are more than are kept apart. The memory lasts many pixels.
+  for (unsigned mirrors = 0; mirrors <= 7; ++mirrors)
+    for (unsigned pixel = 0; pixel < 40; ++pixel) {
+      Gather gather(2);
+      std::uint32_t path = 0;
+      for (unsigned i = 0; i < mirrors; ++i)
+        path = gather.path(path, 1 + i % 2, 0.05f + 0.02f * static_cast<float>(pixel + i));
+      const auto surface = gather.surface(path, 0);
+      gather.weights(surface, 0) = {0.5f, 0, 0.125f};
+      gather.weights(surface, 1) = {0.25f, 0.25f, 0};
+      gather.add_fresnel(surface, 1, 300 + pixel, 0.5f);
+      const auto xyz = method->resolve(gather, 1, *scratch);
+      const auto expected = test::resolve(*reference, gather);
+      for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(xyz[i] / expected[i], 1, 4e-6) << mirrors << " mirrors";
     }
 }
 
@@ -117,9 +170,8 @@ TEST(Point, AFlatSurfaceKeepsTheLightsColour) {
     method.mutable_point()->set_from(380);
     method.mutable_point()->set_to(780);
     method.mutable_point()->set_step(1);
-    Method::Scratch scratch;
     const auto xyz =
-        make_method(plan_for(method, v1::CIE_1931_2DEG), scene)->resolve(gather, 1, scratch);
+        test::resolve(*make_method(plan_for(method, v1::CIE_1931_2DEG), scene), gather);
     EXPECT_NEAR(xyz[1], 1, 1e-6) << name;
   }
 }
@@ -137,8 +189,7 @@ TEST(Rgb, IsRightUnderD65AndWrongUnderF11) {
         "}");
     Gather gather(1);
     gather.weights(gather.surface(0, 0), 0) = {1, 0, 0};
-    Method::Scratch scratch;
-    return make_method(plan_for(method, v1::CIE_1931_2DEG), scene)->resolve(gather, 1, scratch);
+    return test::resolve(*make_method(plan_for(method, v1::CIE_1931_2DEG), scene), gather);
   };
   v1::Method rgb, point;
   rgb.mutable_rgb();

@@ -62,9 +62,9 @@ TEST(Compile, ParametersFollowTheirTable) {
 }
 
 TEST(Compile, TheSameSpectrumAndTheSameMeshAreLoadedOnce) {
-  const auto result =
-      compile_with(scene("diffuse { constant: 0.5 } specular { constant: 0.5 }", two_meshes),
-                   {{"x.obj", square_obj}});
+  const auto result = compile_with(
+      scene("diffuse { constant: 0.5 } specular { constant: 0.5 } blinn_phong {}", two_meshes),
+      {{"x.obj", square_obj}});
   ASSERT_TRUE(result);
   EXPECT_EQ(result->properties.size(), 1u);
   EXPECT_EQ(result->meshes.size(), 1u);

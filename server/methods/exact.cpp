@@ -1,0 +1,238 @@
+#include "server/methods/exact.h"
+
+#include <unordered_map>
+
+#include "common/color/xyz.h"
+#include "common/scene/settings.h"
+#include "server/methods/banded.h"
+
+namespace metamer {
+namespace {
+
+/// What a thread keeps of paths over mirrors: products of their rows (2 KiB each), and signatures.
+constexpr std::size_t max_products = 1 << 13, max_signatures = 1 << 19;
+/// Light over several mirrors with Fresnel terms is a sum of 2 ^ mirrors products, up to here.
+constexpr std::size_t max_terms = 16;
+
+constexpr std::size_t pad = 16;
+
+/// Σ a b c in 16 partial sums.
+float integrate(std::size_t n, const float* __restrict a, const float* __restrict b,
+                const float* __restrict c) {
+  float sums[pad] = {};
+  for (std::size_t i = 0; i < n; i += pad)
+    for (std::size_t j = 0; j < pad; ++j) sums[j] += a[i + j] * b[i + j] * c[i + j];
+  for (std::size_t width = pad / 2; width > 0; width /= 2)
+    for (std::size_t j = 0; j < width; ++j) sums[j] += sums[j + width];
+  return sums[0];
+}
+
+/// The product of the rows of a path's mirrors, by number; `direct` is the path without any.
+using Product = std::uint32_t;
+constexpr Product direct = 0;
+
+std::uint64_t key(Product product, std::uint32_t row) { return std::uint64_t{product} << 32 | row; }
+
+/// A path's light is a weighted sum of products.
+struct Term {
+  Product product;
+  float weight;
+};
+
+struct Memory : Method::Scratch {
+  std::vector<std::vector<float>> products;                      ///< [0] is not used.
+  std::unordered_map<std::uint64_t, Product> longer;             ///< Product × row.
+  std::unordered_map<std::uint64_t, std::vector<float>> colors;  ///< XYZ of product × row by light.
+  std::vector<Term> terms;        ///< Of all of a pixel's paths, one after the other.
+  std::vector<std::size_t> ends;  ///< Where each path's terms end.
+
+  /// Forgets everything before it grows too large; only between pixels.
+  void bound() {
+    if (products.size() < max_products && colors.size() < max_signatures) return;
+    products.clear();
+    longer.clear();
+    colors.clear();
+  }
+};
+
+class ExactMethod : public Method {
+ public:
+  /// `values`: a row for each of SceneRows. `sensors`: three rows a light, Φ x̄ Δλ and so on.
+  ExactMethod(SceneRows rows, BandTable values, BandTable sensors, std::size_t lights)
+      : rows_(std::move(rows)),
+        values_(std::move(values)),
+        sensors_(std::move(sensors)),
+        lights_(lights) {
+    direct_.resize(std::size_t{rows_.size()} * lights_ * 3);
+    for (std::uint32_t row = 0; row < rows_.size(); ++row)
+      measure(values_.row(SceneRows::white), row, &direct_[row * lights_ * 3]);
+  }
+
+  std::unique_ptr<Scratch> make_scratch() const override { return std::make_unique<Memory>(); }
+
+  std::array<float, 3> resolve(const Gather& gather, float scale, Scratch& scratch) const override {
+    auto& memory = static_cast<Memory&>(scratch);
+    memory.bound();
+    find_terms(gather, memory);
+    std::array<float, 3> xyz{};
+    const auto surfaces = gather.surfaces();
+    for (std::size_t s = 0; s < surfaces.size(); ++s) {
+      const SceneRows::Surface& own = rows_.surface(surfaces[s].material);
+      for_each_term(surfaces[s].path, memory, [&](const Term& term) {
+        add_lobes(term, own, gather.weights(s), memory, xyz);
+      });
+    }
+    for (const Gather::FresnelWeight& one : gather.fresnel()) {
+      const Gather::Surface& surface = surfaces[one.surface];
+      const std::uint32_t row = rows_.surface(surface.material).first_node + one.node;
+      for_each_term(surface.path, memory, [&](const Term& term) {
+        add(term.weight * one.weight, color(term.product, row, memory) + 3 * one.light, xyz);
+      });
+    }
+    for (float& value : xyz) value *= scale;
+    return xyz;
+  }
+
+ private:
+  static void add(float weight, const float* color, std::array<float, 3>& xyz) {
+    for (std::size_t i = 0; i < 3; ++i) xyz[i] += weight * color[i];
+  }
+
+  template <class Action>
+  static void for_each_term(std::uint32_t path, const Memory& memory, Action action) {
+    const std::size_t begin = path == 0 ? 0 : memory.ends[path - 1];
+    for (std::size_t t = begin; t < memory.ends[path]; ++t) action(memory.terms[t]);
+  }
+
+  void add_lobes(const Term& term, const SceneRows::Surface& own,
+                 std::span<const LobeWeights> weights, Memory& memory,
+                 std::array<float, 3>& xyz) const {
+    const float* diffuse = color(term.product, own.diffuse, memory);
+    const float* specular = color(term.product, own.specular, memory);
+    const float* white = color(term.product, SceneRows::white, memory);
+    for (const LobeWeights& w : weights) {
+      add(term.weight * w.diffuse, diffuse, xyz);
+      if (w.specular != 0) add(term.weight * w.specular, specular, xyz);
+      if (w.white != 0) add(term.weight * w.white, white, xyz);
+      diffuse += 3;
+      specular += 3;
+      white += 3;
+    }
+  }
+
+  /// The terms of each of the pixel's paths; a path comes after its parent.
+  void find_terms(const Gather& gather, Memory& memory) const {
+    memory.terms.assign(1, {direct, 1});
+    memory.ends.assign(1, 1);
+    for (std::size_t path = 1; path < gather.paths().size(); ++path) {
+      const Gather::Path& own = gather.paths()[path];
+      const SceneRows::Factor mirror = rows_.mirror(own.material, own.cosine);
+      const std::size_t begin = own.parent == 0 ? 0 : memory.ends[own.parent - 1];
+      const std::size_t end = memory.ends[own.parent];
+      const std::size_t first = memory.terms.size();
+      for (std::size_t t = begin; t < end; ++t)
+        for (int j = 0; j < mirror.count; ++j) {
+          const auto i = static_cast<std::size_t>(j);
+          if (mirror.weight[i] == 0) continue;
+          const Term parent = memory.terms[t];
+          memory.terms.push_back(
+              {longer(parent.product, mirror.row[i], memory), parent.weight * mirror.weight[i]});
+        }
+      if (memory.terms.size() - first > max_terms) merge(first, memory);
+      memory.ends.push_back(memory.terms.size());
+    }
+  }
+
+  /// Makes one product of the terms from `first` on. It has no name and is met only once.
+  void merge(std::size_t first, Memory& memory) const {
+    std::vector<float> sum(stride());
+    for (std::size_t t = first; t < memory.terms.size(); ++t) {
+      const float* product = product_of(memory.terms[t].product, memory);
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += memory.terms[t].weight * product[i];
+    }
+    memory.terms.resize(first);
+    memory.terms.push_back({keep(std::move(sum), memory), 1});
+  }
+
+  static Product keep(std::vector<float> product, Memory& memory) {
+    if (memory.products.empty()) memory.products.emplace_back();
+    memory.products.push_back(std::move(product));
+    return static_cast<Product>(memory.products.size() - 1);
+  }
+
+  const float* product_of(Product product, const Memory& memory) const {
+    return product == direct ? values_.row(SceneRows::white) : memory.products[product].data();
+  }
+
+  Product longer(Product product, std::uint32_t row, Memory& memory) const {
+    if (row == SceneRows::white) return product;
+    const auto [place, is_new] = memory.longer.try_emplace(key(product, row), direct);
+    if (is_new) {
+      const float* shorter = product_of(product, memory);
+      std::vector<float> values(shorter, shorter + stride());
+      for (std::size_t i = 0; i < values.size(); ++i) values[i] *= values_.row(row)[i];
+      place->second = keep(std::move(values), memory);
+    }
+    return place->second;
+  }
+
+  /// X Y Z of a signature for each light.
+  const float* color(Product product, std::uint32_t row, Memory& memory) const {
+    if (product == direct) return &direct_[row * lights_ * 3];
+    std::vector<float>& own = memory.colors[key(product, row)];
+    if (own.empty()) {
+      own.resize(lights_ * 3);
+      measure(product_of(product, memory), row, own.data());
+    }
+    return own.data();
+  }
+
+  void measure(const float* product, std::uint32_t row, float* xyz) const {
+    for (std::size_t i = 0; i < 3 * lights_; ++i)
+      xyz[i] = integrate(stride(), product, values_.row(row), sensors_.row(i));
+  }
+
+  std::size_t stride() const { return values_.stride(); }
+
+  SceneRows rows_;
+  BandTable values_, sensors_;
+  std::size_t lights_;
+  std::vector<float> direct_;  ///< XYZ by row and light.
+};
+
+}  // namespace
+
+Wavelengths exact_wavelengths() { return *Wavelengths::uniform(360, 830, 1); }
+
+std::uint64_t direct_signatures(const RenderScene& scene) {
+  return std::uint64_t{SceneRows(scene).size()} * scene.lights.size();
+}
+
+std::unique_ptr<Method> make_exact(const v1::Plan& plan, const RenderScene& scene) {
+  const Wavelengths wavelengths = exact_wavelengths();
+  const ObserverWeights observer = observer_weights(to_observer(plan.observer()), wavelengths);
+  const std::size_t bands = wavelengths.size();
+
+  // Give each light its luminance, E[3.2-4], and multiply it by what the observer sees.
+  BandTable sensors(3 * scene.lights.size(), bands);
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const RenderLight& light = scene.lights[i];
+    const auto power =
+        resample(scene.emissions[light.emission], wavelengths.nm(), Outside::zero).values;
+    const double scale = luminance_scale(observer, power, light.luminance);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::vector<double> sensor = observer.weights[axis];
+      for (std::size_t k = 0; k < bands; ++k) sensor[k] *= scale * power[k];
+      sensors.set(3 * i + axis, sensor);
+    }
+  }
+
+  SceneRows rows(scene);
+  BandTable values(rows.size(), bands);
+  rows.for_each(scene, wavelengths.nm(),
+                [&](std::uint32_t row, const std::vector<double>& at) { values.set(row, at); });
+  return std::make_unique<ExactMethod>(std::move(rows), std::move(values), std::move(sensors),
+                                       scene.lights.size());
+}
+
+}  // namespace metamer

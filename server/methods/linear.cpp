@@ -1,0 +1,194 @@
+#include "server/methods/linear.h"
+
+#include <cmath>
+
+#include "common/color/xyz.h"
+#include "common/scene/settings.h"
+#include "server/methods/banded.h"
+#include "server/methods/exact.h"
+#include "server/methods/fresnel_table.h"
+
+namespace metamer {
+namespace {
+
+Eigen::VectorXd to_vector(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+std::vector<double> to_list(const Eigen::VectorXd& vector) {
+  return {vector.data(), vector.data() + vector.size()};
+}
+
+/// The scene's lights with their luminance, E[3.2-4], a column each.
+Eigen::MatrixXd light_columns(const RenderScene& scene, const ObserverWeights& observer,
+                              const Wavelengths& wavelengths) {
+  Eigen::MatrixXd lights(static_cast<Eigen::Index>(wavelengths.size()),
+                         static_cast<Eigen::Index>(scene.lights.size()));
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const RenderLight& light = scene.lights[i];
+    const auto power =
+        resample(scene.emissions[light.emission], wavelengths.nm(), Outside::zero).values;
+    lights.col(static_cast<Eigen::Index>(i)) =
+        luminance_scale(observer, power, light.luminance) * to_vector(power);
+  }
+  return lights;
+}
+
+/// What a surface of the scene may multiply light by; of a Fresnel term, at three angles.
+Eigen::MatrixXd surface_columns(const RenderScene& scene, const Wavelengths& wavelengths) {
+  std::vector<Eigen::VectorXd> columns;
+  for (const Spectrum& property : scene.properties)
+    columns.push_back(to_vector(resample(property, wavelengths.nm(), Outside::hold).values));
+  for (const OpticalConstants& constants : scene.constants) {
+    const ConstantsAt at = resample(constants, wavelengths.nm());
+    for (const double cosine : {1.0, 0.4, 0.1})
+      columns.push_back(to_vector(fresnel_at(at, cosine)));
+  }
+  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(wavelengths.size()),
+                         static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    matrix.col(static_cast<Eigen::Index>(i)) = columns[i];
+  return matrix;
+}
+
+/// Each column of `light` by itself and multiplied by each of `surfaces`.
+Eigen::MatrixXd with_products(const Eigen::MatrixXd& light, const Eigen::MatrixXd& surfaces) {
+  Eigen::MatrixXd all(light.rows(), light.cols() * (1 + surfaces.cols()));
+  all.leftCols(light.cols()) = light;
+  for (Eigen::Index s = 0; s < surfaces.cols(); ++s)
+    all.middleCols((1 + s) * light.cols(), light.cols()) = surfaces.col(s).asDiagonal() * light;
+  return all;
+}
+
+/// Carriers are coefficients, padded; `stride` of them.
+class LinearMethod : public Method {
+ public:
+  struct Tables {
+    BandTable reflected;  ///< Light × row: the coefficients of a light reflected by a row.
+    BandTable matrices;   ///< Row × coefficient: the columns of a row's matrix.
+    BandTable xyz;        ///< Three rows.
+  };
+  LinearMethod(SceneRows rows, Tables tables, std::size_t lights, std::size_t bases)
+      : rows_(std::move(rows)), tables_(std::move(tables)), lights_(lights), bases_(bases) {}
+
+  struct Carriers : Scratch {
+    std::vector<float> values;
+  };
+  std::unique_ptr<Scratch> make_scratch() const override { return std::make_unique<Carriers>(); }
+
+  std::array<float, 3> resolve(const Gather& gather, float scale, Scratch& scratch) const override {
+    const std::size_t n = tables_.xyz.stride();
+    const auto paths = gather.paths();
+    std::vector<float>& carriers = static_cast<Carriers&>(scratch).values;
+    carriers.assign(paths.size() * n, 0.0f);
+    const auto carrier = [&](std::size_t path) { return carriers.data() + path * n; };
+
+    // Reflect each light by each surface, at the end of the surface's path.
+    const auto surfaces = gather.surfaces();
+    for (std::size_t s = 0; s < surfaces.size(); ++s) {
+      const SceneRows::Surface& own = rows_.surface(surfaces[s].material);
+      const auto weights = gather.weights(s);
+      for (std::size_t light = 0; light < weights.size(); ++light) {
+        float* to = carrier(surfaces[s].path);
+        const LobeWeights& w = weights[light];
+        add(w.diffuse, reflected(light, own.diffuse), to);
+        if (w.specular != 0) add(w.specular, reflected(light, own.specular), to);
+        if (w.white != 0) add(w.white, reflected(light, SceneRows::white), to);
+      }
+    }
+    for (const Gather::FresnelWeight& one : gather.fresnel()) {
+      const Gather::Surface& surface = surfaces[one.surface];
+      add(one.weight, reflected(one.light, rows_.surface(surface.material).first_node + one.node),
+          carrier(surface.path));
+    }
+
+    // Carry the light back over the mirrors, the longest paths first.
+    for (std::size_t path = paths.size(); path-- > 1;) {
+      const SceneRows::Factor mirror = rows_.mirror(paths[path].material, paths[path].cosine);
+      for (std::size_t j = 0; j < static_cast<std::size_t>(mirror.count); ++j)
+        add_mirrored(mirror.weight[j], mirror.row[j], carrier(path), carrier(paths[path].parent));
+    }
+
+    std::array<float, 3> xyz{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i < bases_; ++i)
+        xyz[axis] += scale * tables_.xyz.row(axis)[i] * carrier(0)[i];
+    return xyz;
+  }
+
+ private:
+  const float* reflected(std::size_t light, std::uint32_t row) const {
+    return tables_.reflected.row(row * lights_ + light);
+  }
+
+  void add(float weight, const float* __restrict from, float* __restrict to) const {
+    for (std::size_t i = 0; i < tables_.xyz.stride(); ++i) to[i] += weight * from[i];
+  }
+
+  /// E[3.3-7], a column of the row's matrix for each coefficient that arrives.
+  void add_mirrored(float weight, std::uint32_t row, const float* from, float* to) const {
+    for (std::size_t i = 0; i < bases_; ++i)
+      add(weight * from[i], tables_.matrices.row(row * bases_ + i), to);
+  }
+
+  SceneRows rows_;
+  Tables tables_;
+  std::size_t lights_, bases_;
+};
+
+}  // namespace
+
+LinearBasis scene_basis(const v1::Linear& method, cie::Observer choice, const RenderScene& scene) {
+  const Wavelengths wavelengths = exact_wavelengths();
+  const ObserverWeights observer = observer_weights(choice, wavelengths);
+  const Eigen::MatrixXd surfaces = surface_columns(scene, wavelengths);
+  Eigen::MatrixXd spectra = with_products(light_columns(scene, observer, wavelengths), surfaces);
+  if (method.bounce()) spectra = with_products(spectra, surfaces);
+
+  Eigen::VectorXd inner = to_vector(wavelengths.widths());
+  if (method.weighting() == v1::Linear::OBSERVER)
+    for (Eigen::Index i = 0; i < inner.size(); ++i) {
+      double squares =
+          0;  // of x̄ ȳ z̄; its fourth root weights a row, so its root the product of two
+      for (const auto& axis : observer.weights) {
+        const double value = axis[static_cast<std::size_t>(i)] / inner[i];
+        squares += value * value;
+      }
+      inner[i] *= std::sqrt(squares);
+    }
+  return make_basis(spectra, inner, method.bases());
+}
+
+std::unique_ptr<Method> make_linear(const v1::Plan& plan, const RenderScene& scene) {
+  const cie::Observer choice = to_observer(plan.observer());
+  const Wavelengths wavelengths = exact_wavelengths();
+  const ObserverWeights observer = observer_weights(choice, wavelengths);
+  const LinearBasis basis = scene_basis(plan.method().linear(), choice, scene);
+  const auto bases = static_cast<std::size_t>(basis.functions.cols());
+  const Eigen::MatrixXd lights = light_columns(scene, observer, wavelengths);
+
+  SceneRows rows(scene);
+  BandTable reflected(rows.size() * scene.lights.size(), bases);
+  BandTable matrices(rows.size() * bases, bases);
+  rows.for_each(scene, wavelengths.nm(), [&](std::uint32_t row, const std::vector<double>& at) {
+    const Eigen::VectorXd values = to_vector(at);
+    for (std::size_t light = 0; light < scene.lights.size(); ++light)
+      reflected.set(row * scene.lights.size() + light,
+                    to_list(basis.project(
+                        values.cwiseProduct(lights.col(static_cast<Eigen::Index>(light))))));
+    const Eigen::MatrixXd matrix = basis.reflect(values);
+    for (std::size_t i = 0; i < bases; ++i)
+      matrices.set(row * bases + i, to_list(matrix.col(static_cast<Eigen::Index>(i))));
+  });
+
+  BandTable xyz(3, bases);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    xyz.set(axis, to_list(basis.functions.transpose() * to_vector(observer.weights[axis])));
+  const std::size_t count = scene.lights.size();
+  return std::make_unique<LinearMethod>(
+      std::move(rows),
+      LinearMethod::Tables{std::move(reflected), std::move(matrices), std::move(xyz)}, count,
+      bases);
+}
+
+}  // namespace metamer

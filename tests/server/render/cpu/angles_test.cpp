@@ -1,0 +1,51 @@
+#include "server/cpu/angles.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "common/models/reference.h"
+
+namespace metamer::cpu {
+namespace {
+
+TEST(Angles, AreThoseOfTheReference) {
+  std::mt19937 engine(3);
+  std::normal_distribution<double> random;
+  for (int round = 0; round < 1000; ++round) {
+    const auto unit = [&] {
+      return Eigen::Vector3d(random(engine), random(engine), random(engine)).normalized();
+    };
+    const Eigen::Vector3d normal = unit(), light = unit(), viewer = unit();
+    const Eigen::Vector3d flat = normal.cross(unit()).normalized();
+    const auto lanes = [](const Eigen::Vector3d& v) {
+      return broadcast(
+          {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())});
+    };
+    // A tangent of any length, and not in the surface.
+    const auto angles = angles_of(lanes(normal), lanes(3 * flat + 0.5 * normal), lanes(light),
+                                  lanes(viewer), broadcast(0.25f), {true, true});
+    const auto expected = models::angles_between(normal, flat, light, viewer, 0.25);
+    EXPECT_NEAR(angles.n_dot_l[0], expected.n_dot_l, 1e-6);
+    EXPECT_NEAR(angles.n_dot_v[0], expected.n_dot_v, 1e-6);
+    EXPECT_NEAR(angles.n_dot_h[0], expected.n_dot_h, 2e-6);
+    EXPECT_NEAR(angles.v_dot_h[0], expected.v_dot_h, 2e-6);
+    EXPECT_NEAR(angles.r_dot_v[0], expected.r_dot_v, 2e-6);
+    EXPECT_NEAR(angles.azimuth[0], expected.azimuth, 1e-4);
+    EXPECT_NEAR(angles.tangent[0], expected.tangent, 1e-4);
+    EXPECT_EQ(angles.solid_angle[0], 0.25f);
+  }
+}
+
+TEST(Angles, ATangentAlongTheNormalGivesWayToTheOtherAxis) {
+  // All over a face that the tangent pierces, only rounding would be left of it.
+  const Vec8 normal = broadcast({0.6f, 0.8f, 0}), across = broadcast({0, 0, 1});
+  for (const float tilt : {0.0f, 1e-7f, -1e-7f, 0.01f}) {
+    const Vec8 tangent = broadcast({-1.2f + tilt, -1.6f, tilt});
+    EXPECT_EQ(steady_tangent(normal, tangent, across).z[0], 1) << tilt;
+  }
+  EXPECT_EQ(steady_tangent(normal, broadcast({-0.6f, -0.8f, 0.2f}), across).z[0], 0.2f);
+}
+
+}  // namespace
+}  // namespace metamer::cpu
