@@ -87,6 +87,37 @@ TEST(Compile, StepsOfATransformApplyInTheOrderWritten) {
   EXPECT_NEAR(center.z(), 1, 1e-12);
 }
 
+TEST(Compile, TangentsComeFromUVsThatHaveADirectionAndOnlyWhereAModelAsks) {
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+  const auto mesh = [&](const std::string& model, const std::string& rest) {
+    const auto result =
+        compile_with(scene(model, "object { name: 'o' material: 'm' mesh { file: 'x.obj' } }"),
+                     {{"x.obj", corners + rest}});
+    EXPECT_TRUE(result);
+    return result->meshes[0];
+  };
+  // u rises along y here.
+  const std::string turned = "vt 0 0\nvt 0 1\nvt 1 1\nvt 1 0\nf 1/1 2/2 3/3 4/4\n";
+  const TriangleMesh directed = mesh("ward_phong {}", turned);
+  ASSERT_EQ(directed.tangents.size(), directed.positions.size());
+  for (const auto& tangent : directed.tangents) {
+    EXPECT_NEAR(tangent[1], 1, 1e-5);
+    EXPECT_NEAR(tangent[0], 0, 1e-5);
+  }
+  EXPECT_TRUE(mesh("blinn_phong {}", turned).tangents.empty());
+  EXPECT_TRUE(mesh("ward_phong {}", "f 1 2 3 4\n").tangents.empty());
+  EXPECT_TRUE(mesh("ward_phong {}", "vt 0 0\nf 1/1 2/1 3/1 4/1\n").tangents.empty());
+  EXPECT_TRUE(mesh("ward_phong {}", "vt nan 0\nvt 0 inf\nf 1/1 2/2 3/1 4/2\n").tangents.empty());
+
+  // Half of it has UVs: the other half's corners have no tangent.
+  const TriangleMesh half =
+      mesh("ward_phong {}", "vt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\nf 1 3 4\n");
+  std::size_t none = 0;
+  for (const auto& tangent : half.tangents) none += tangent == std::array<float, 3>{} ? 1 : 0;
+  EXPECT_GT(none, 0u);
+  EXPECT_LT(none, half.tangents.size());
+}
+
 struct BadMesh {
   const char* name;
   std::string bytes;

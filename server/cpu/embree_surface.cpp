@@ -1,0 +1,117 @@
+// What an EmbreeScene knows of a point on a surface: normals, tangents, corners.
+
+#include "server/cpu/angles.h"
+#include "server/cpu/embree_scene.h"
+
+namespace metamer::cpu {
+namespace {
+
+constexpr std::array<float, 3> x_axis = {1, 0, 0}, z_axis = {0, 0, 1};
+
+/// A point (w = 1) or a direction (w = 0) in the world.
+std::array<float, 3> mapped(const std::array<std::array<float, 4>, 3>& map,
+                            const std::array<float, 3>& v, float w) {
+  std::array<float, 3> to;
+  for (std::size_t row = 0; row < 3; ++row)
+    to[row] = map[row][0] * v[0] + map[row][1] * v[1] + map[row][2] * v[2] + map[row][3] * w;
+  return to;
+}
+
+}  // namespace
+
+void EmbreeScene::shading_normal(const RTCRayHit8& rays, int lane, Hits& hits) const {
+  const unsigned instance = rays.hit.instID[0][lane];
+  const bool instanced = instance != RTC_INVALID_GEOMETRY_ID;
+  const unsigned object = instanced ? instance : rays.hit.geomID[lane];
+  const Placed& placed = placed_[object];
+  hits.object[lane] = static_cast<int>(object);
+  hits.primitive[lane] = static_cast<int>(rays.hit.primID[lane]);
+  hits.material[lane] = static_cast<int>(placed.material);
+  if (interpolated_ && placed.shading != v1::PHONG) hits.interpolated[lane] = -1;
+  const auto set = [lane](Vec8& to, const std::array<float, 3>& v) {
+    to.x[lane] = v[0];
+    to.y[lane] = v[1];
+    to.z[lane] = v[2];
+  };
+
+  // Interpolate the corners' normals; E: n = (1 − u − v) n₀ + u n₁ + v n₂.
+  const std::vector<CornerNormals>* normals = instanced ? placed.shared : &placed.normals;
+  if (normals != nullptr && !normals->empty()) {
+    const CornerNormals& corner = (*normals)[rays.hit.primID[lane]];
+    const float u = rays.hit.u[lane], v = rays.hit.v[lane], w = 1 - u - v;
+    std::array<float, 3> normal;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      normal[axis] = w * corner[0][axis] + u * corner[1][axis] + v * corner[2][axis];
+    set(hits.normal, normal);
+  }
+  if (!instanced) return;
+
+  // Bring an instance's normals to the world.
+  const auto to_world = [&](Vec8& to) {
+    std::array<float, 3> normal;
+    for (std::size_t row = 0; row < 3; ++row) {
+      const auto& r = placed.to_world_normals[row];
+      normal[row] = r[0] * to.x[lane] + r[1] * to.y[lane] + r[2] * to.z[lane];
+    }
+    set(to, normal);
+  };
+  to_world(hits.geometric_normal);
+  to_world(hits.normal);
+}
+
+/// From the mesh's UVs, else the object's x axis, in the world.
+std::array<float, 3> EmbreeScene::corner_tangent(const Placed& placed, std::uint32_t vertex) const {
+  std::array<float, 3> tangent{};
+  if (placed.mesh != nullptr && !placed.mesh->tangents.empty())
+    tangent = placed.mesh->tangents[vertex];
+  if (tangent == std::array<float, 3>{}) tangent = x_axis;
+  return mapped(placed.to_world, tangent, 0);
+}
+
+void EmbreeScene::shading_tangents(Hits& hits) const {
+  Vec8 across{};
+  const auto add = [](Vec8& to, int lane, const std::array<float, 3>& v, float weight) {
+    to.x[lane] += weight * v[0];
+    to.y[lane] += weight * v[1];
+    to.z[lane] += weight * v[2];
+  };
+  for (int lane = 0; lane < lane_count; ++lane) {
+    if (!hits.hit[lane]) continue;
+    const Placed& placed = placed_[static_cast<std::size_t>(hits.object[lane])];
+    add(across, lane, mapped(placed.to_world, z_axis, 0), 1);
+    if (placed.mesh == nullptr) {
+      add(hits.tangent, lane, corner_tangent(placed, 0), 1);
+      continue;
+    }
+    const auto& triangle = placed.mesh->triangles[static_cast<std::size_t>(hits.primitive[lane])];
+    const float u = hits.u[lane], v = hits.v[lane];
+    add(hits.tangent, lane, corner_tangent(placed, triangle[0]), 1 - u - v);
+    add(hits.tangent, lane, corner_tangent(placed, triangle[1]), u);
+    add(hits.tangent, lane, corner_tangent(placed, triangle[2]), v);
+  }
+  hits.tangent = steady_tangent(hits.normal, hits.tangent, across);
+}
+
+Corners EmbreeScene::corners(int object, int primitive) const {
+  const Placed& placed = placed_[static_cast<std::size_t>(object)];
+  const auto index = static_cast<std::size_t>(primitive);
+  const std::vector<CornerNormals>& normals = placed.instance ? *placed.shared : placed.normals;
+  Corners corners{};
+  corners.across = mapped(placed.to_world, z_axis, 0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::uint32_t vertex = placed.mesh->triangles[index][i];
+    corners.position[i] = mapped(placed.to_world, placed.mesh->positions[vertex], 1);
+    if (tangents_) corners.tangent[i] = corner_tangent(placed, vertex);
+    if (normals.empty()) continue;
+    corners.normal[i] = normals[index][i];
+    if (!placed.instance) continue;
+    for (std::size_t row = 0; row < 3; ++row) {
+      const auto& r = placed.to_world_normals[row];
+      const auto& n = normals[index][i];
+      corners.normal[i][row] = r[0] * n[0] + r[1] * n[1] + r[2] * n[2];
+    }
+  }
+  return corners;
+}
+
+}  // namespace metamer::cpu
