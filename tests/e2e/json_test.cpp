@@ -77,7 +77,8 @@ TEST_F(JsonOutput, InfoNamesModelsAndWorkers) {
   const Json info = daemon.json({"info"});
   EXPECT_GT(info["ping_seconds"].get<double>(), 0);
   EXPECT_EQ(info["info"]["worker"].size(), 1u);
-  EXPECT_EQ(info["info"]["capabilities"]["method"], Json::array({"point", "rgb"}));
+  EXPECT_EQ(info["info"]["capabilities"]["method"],
+            Json::array({"point", "rgb", "exact", "linear"}));
   EXPECT_EQ(info["info"]["capabilities"]["model"][0]["name"], "lambert");
 }
 
