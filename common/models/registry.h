@@ -31,7 +31,7 @@ enum class Attenuation : unsigned char {
 
 /// What is known of a line besides its equation: what it uses, and which laws it keeps.
 enum Trait : unsigned {
-  weighted = 1,              ///< Uses the material's diffuseness and specularness.
+  weighted = 1,              ///< Uses the material's diffuseness.
   has_fresnel = 2,           ///< Its highlight has a Fresnel term.
   has_facets = 4,            ///< Its highlight has slopes and an attenuation.
   has_ambient = 8,           ///< Reflects light where none of the scene's lights reaches.
