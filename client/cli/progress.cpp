@@ -66,6 +66,8 @@ std::string describe(const v1::Plan& plan) {
     case v1::Method::kExact:
       text += "exact with " + counted(plan.signatures(), "signature", "signatures") + ", ";
       break;
+    case v1::Method::kPrefilter:
+    case v1::Method::kAuto:
     case v1::Method::METHOD_NOT_SET:
       break;
   }

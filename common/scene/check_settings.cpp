@@ -69,6 +69,8 @@ void check_settings(const v1::Settings& settings, const std::string& field, Find
       break;
     case v1::Method::kRgb:
     case v1::Method::kExact:
+    case v1::Method::kPrefilter:
+    case v1::Method::kAuto:
     case v1::Method::METHOD_NOT_SET:
       break;
   }

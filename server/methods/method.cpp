@@ -22,6 +22,8 @@ std::unique_ptr<Method> make_method(const v1::Plan& plan, const RenderScene& sce
       return make_exact(plan, scene);
     case v1::Method::kLinear:
       return make_linear(plan, scene);
+    case v1::Method::kPrefilter:
+    case v1::Method::kAuto:
     case v1::Method::METHOD_NOT_SET:
       break;
   }
@@ -37,6 +39,8 @@ Wavelengths method_wavelengths(const v1::Method& method) {
     case v1::Method::kLinear:
       return exact_wavelengths();
     case v1::Method::kRgb:
+    case v1::Method::kPrefilter:
+    case v1::Method::kAuto:
     case v1::Method::METHOD_NOT_SET:
       break;
   }
