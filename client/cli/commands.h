@@ -10,6 +10,7 @@ namespace metamer::cli {
 ExitCode render(const RenderOptions& options);
 ExitCode submit(const SubmitOptions& options);
 ExitCode check(const CheckOptions& options);
+ExitCode explain(const ExplainOptions& options);
 ExitCode jobs(const JobsOptions& options);
 ExitCode watch(const WatchOptions& options);
 ExitCode fetch(const FetchOptions& options);

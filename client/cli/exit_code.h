@@ -10,6 +10,7 @@ enum class ExitCode : int {
   no_server = 3,  ///< No server there, or it was lost.
   job_failed = 4,
   cancelled = 5,
+  promise_broken = 6,  ///< The picture is there, and is not as accurate, or as quick, as asked for.
 };
 
 }  // namespace metamer::cli

@@ -19,11 +19,12 @@ boost::asio::awaitable<ExitCode> fetch_from(Session& session, const FetchOptions
                                             Report& report) {
   const Answer<std::string> name = co_await job_name(session, options.job_id);
   if (!name) co_return report.session_error(name.error());
-  const Answer<Followed> followed = co_await follow(session, options.job_id, true);
+  Answer<Followed> followed = co_await follow(session, options.job_id, wanted(options.output));
   if (!followed) co_return report.session_error(followed.error());
   const ExitCode code = conclude(*followed, nullptr, report);
-  if (code != ExitCode::done) co_return code;
-  co_return write_output(options.output, *followed, *name, report);
+  if (code != ExitCode::done && code != ExitCode::promise_broken) co_return code;
+  const ExitCode written = write_output(options.output, *followed, *name, report);
+  co_return written == ExitCode::done ? code : written;
 }
 
 }  // namespace

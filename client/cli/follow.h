@@ -7,6 +7,7 @@
 #include "client/cli/progress.h"
 #include "client/cli/report.h"
 #include "client/cli/scene_input.h"
+#include "client/relight/factors.h"
 #include "client/session/film.h"
 #include "client/session/session.h"
 
@@ -17,12 +18,17 @@ struct Followed {
   std::uint64_t job_id = 0;
   v1::JobEvent last;  ///< finished, failed or cancelled
   std::optional<v1::Plan> plan;
-  std::optional<Film> film;  ///< Where tiles were asked for and planned.
+  std::optional<Film> film;               ///< Where tiles were asked for and planned.
+  std::optional<FactorsBuilder> factors;  ///< Where they were asked for and the job keeps them.
 };
 
+/// What of a picture is asked for.
+enum class Wanted { events, tiles, tiles_and_factors };
+
 /// Watches a job from its first event to its last, shows its progress, and puts its tiles together
-/// where `tiles` asks for them.
-boost::asio::awaitable<Answer<Followed>> follow(Session& session, std::uint64_t job_id, bool tiles);
+/// where they are wanted.
+boost::asio::awaitable<Answer<Followed>> follow(Session& session, std::uint64_t job_id,
+                                                Wanted wanted);
 
 /// Reports how the job ended: its plan and timing, notes, problems. `scene` locates them; null:
 /// the scene is not at hand. Returns the exit code that the end means.

@@ -11,6 +11,7 @@ struct AllOptions {
   RenderOptions render;
   SubmitOptions submit;
   CheckOptions check;
+  ExplainOptions explain;
   JobsOptions jobs;
   WatchOptions watch;
   FetchOptions fetch;
@@ -34,6 +35,8 @@ void add_scene_commands(CLI::App& app, AllOptions& all, Action& chosen) {
                                          chosen, [&] { return submit(all.submit); });
   add_scene(submit_command, all.submit.scene);
   add_overrides(submit_command, all.submit.overrides);
+  submit_command.add_flag("--keep-factors", all.submit.keep_factors,
+                          "keep what relighting needs: fetch it by the same word");
   add_common(submit_command, all.submit.common);
 
   CLI::App& check_command =
@@ -42,6 +45,13 @@ void add_scene_commands(CLI::App& app, AllOptions& all, Action& chosen) {
   add_scene(check_command, all.check.scene);
   add_overrides(check_command, all.check.overrides);
   add_common(check_command, all.check.common);
+
+  CLI::App& explain_command = add_command(
+      app, "explain", "say what a scene needs, and what each method would cost and miss", chosen,
+      [&] { return explain(all.explain); });
+  add_scene(explain_command, all.explain.scene);
+  add_overrides(explain_command, all.explain.overrides);
+  add_common(explain_command, all.explain.common);
 }
 
 void add_job_commands(CLI::App& app, AllOptions& all, Action& chosen) {

@@ -23,6 +23,8 @@ struct Overrides {
   std::optional<std::string> observer;     ///< "cie-1931-2deg", "cie-1964-10deg"
   std::optional<std::string> shading;      ///< "phong", "constant", "gouraud", "quadratic"
   std::optional<std::uint32_t> bases;      ///< Of linear.
+  std::optional<double> tolerance;         ///< Of auto: ΔE00.
+  std::optional<std::string> deadline;     ///< Of auto: "2s", "2"
   std::optional<std::uint32_t> spp;
   std::optional<std::uint32_t> depth;
   std::optional<std::uint32_t> threads;
@@ -33,7 +35,8 @@ struct Overrides {
 /// Where pictures go. An .exr holds linear sRGB, or XYZ.
 struct OutputOptions {
   std::vector<std::string> files;
-  std::string exr = "rgb";  ///< "rgb", "xyz"
+  std::string exr = "rgb";             ///< "rgb", "xyz"
+  std::optional<std::string> factors;  ///< For relighting; "": beside the first picture.
 };
 
 struct RenderOptions {
@@ -47,9 +50,16 @@ struct SubmitOptions {
   CommonOptions common;
   std::string scene;
   Overrides overrides;
+  bool keep_factors = false;
 };
 
 struct CheckOptions {
+  CommonOptions common;
+  std::string scene;
+  Overrides overrides;
+};
+
+struct ExplainOptions {
   CommonOptions common;
   std::string scene;
   Overrides overrides;

@@ -25,9 +25,9 @@ std::string lower_extension(const std::string& file) {
 }
 
 /// Why the file can't be written; empty: nothing speaks against it.
-std::string objection(const std::string& file) {
+std::string objection(const std::string& file, bool factors) {
   const std::string extension = lower_extension(file);
-  if (extension != ".png" && extension != ".exr")
+  if (!factors && extension != ".png" && extension != ".exr")
     return "\"" + file + "\" ends neither in .png nor in .exr";
   std::error_code error;
   if (fs::is_directory(file, error)) return "\"" + file + "\" is a folder";
@@ -65,13 +65,37 @@ void note_gamut(const std::string& file, const GamutReport& gamut, Report& repor
   }
 }
 
+/// Where the factors go.
+fs::path factors_file(const OutputOptions& options) {
+  return options.factors->empty() ? fs::path(options.files.front()).replace_extension(".factors")
+                                  : fs::path(*options.factors);
+}
+
+/// The factors of a job that keeps them.
+ExitCode write_kept_factors(const OutputOptions& options, Followed& followed, Report& report) {
+  const fs::path file = factors_file(options);
+  if (!followed.factors) {
+    report.error("--keep-factors: the job keeps no factors; submit it with --keep-factors");
+    return ExitCode::bad_input;
+  }
+  if (const auto written = write_factors(followed.factors->finish(), file); !written) {
+    report.problem(written.error(), {});
+    return ExitCode::other;
+  }
+  report.document()["files"].push_back(file.string());
+  report.line(file.string());
+  return ExitCode::done;
+}
+
 }  // namespace
 
 bool check_output(const OutputOptions& options, Report& report) {
   bool good = true;
   std::set<std::string> seen;
-  for (const std::string& file : options.files) {
-    std::string wrong = objection(file);
+  std::vector<std::string> files = options.files;
+  if (options.factors) files.push_back(factors_file(options).string());
+  for (const std::string& file : files) {
+    std::string wrong = objection(file, options.factors && &file == &files.back());
     if (wrong.empty() && !seen.insert(fs::path(file).lexically_normal().string()).second)
       wrong = "\"" + file + "\" is named twice";
     if (!wrong.empty()) report.error("--output: " + wrong);
@@ -84,8 +108,12 @@ bool check_output(const OutputOptions& options, Report& report) {
   return good;
 }
 
-ExitCode write_output(const OutputOptions& options, const Followed& followed,
-                      const std::string& name, Report& report) {
+Wanted wanted(const OutputOptions& options) {
+  return options.factors ? Wanted::tiles_and_factors : Wanted::tiles;
+}
+
+ExitCode write_output(const OutputOptions& options, Followed& followed, const std::string& name,
+                      Report& report) {
   const auto values = metadata(followed, name);
   ExitCode code = ExitCode::done;
   for (const std::string& file : options.files) {
@@ -101,6 +129,8 @@ ExitCode write_output(const OutputOptions& options, const Followed& followed,
     report.document()["files"].push_back(file);
     report.line(file);
   }
+  if (options.factors && code == ExitCode::done)
+    code = write_kept_factors(options, followed, report);
   return code;
 }
 

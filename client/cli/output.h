@@ -13,9 +13,12 @@ namespace metamer::cli {
 /// extensions, no name twice, folders that exist. Prints what is wrong.
 bool check_output(const OutputOptions& options, Report& report);
 
+/// What of a job has to be asked for.
+Wanted wanted(const OutputOptions& options);
+
 /// Writes a finished job's picture into each of the files, with the plan, the timing, the scene's
-/// name and the version as metadata, and notes what a .png had to clip.
-ExitCode write_output(const OutputOptions& options, const Followed& followed,
-                      const std::string& name, Report& report);
+/// name and the version as metadata, and notes what a .png had to clip; and its factors.
+ExitCode write_output(const OutputOptions& options, Followed& followed, const std::string& name,
+                      Report& report);
 
 }  // namespace metamer::cli

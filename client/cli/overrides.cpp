@@ -93,6 +93,35 @@ Result<void> apply_method(const Overrides& overrides, v1::Settings& settings,
   return {};
 }
 
+/// "2s" or "2".
+std::optional<double> parse_seconds(std::string_view text) {
+  if (!text.empty() && text.back() == 's') text.remove_suffix(1);
+  return parse_number<double>(text);
+}
+
+/// A goal asks for the method `auto` by itself.
+Result<void> apply_goal(const Overrides& overrides, v1::Settings& settings,
+                        std::vector<Replaced>& replaced) {
+  if (!overrides.tolerance && !overrides.deadline) return {};
+  const char* option = overrides.tolerance ? "--tolerance" : "--deadline";
+  if (overrides.tolerance && overrides.deadline)
+    return problem("--tolerance and --deadline exclude each other");
+  if (overrides.method.value_or("auto") != "auto" || overrides.samples || overrides.wavelengths ||
+      overrides.bases)
+    return problem(std::string(option) + " is for --method auto");
+  v1::Auto& goal = *settings.mutable_method()->mutable_auto_();
+  if (overrides.tolerance) {
+    goal.set_tolerance(*overrides.tolerance);
+  } else {
+    const std::optional<double> seconds = parse_seconds(*overrides.deadline);
+    if (!seconds)
+      return problem("--deadline: \"" + *overrides.deadline + "\" is not a time, such as 2s");
+    goal.set_deadline(*seconds);
+  }
+  replaced.push_back({"settings.method", option});
+  return {};
+}
+
 Result<void> apply_size(const std::string& size, v1::Settings& settings,
                         std::vector<Replaced>& replaced) {
   const auto numbers = parse_numbers<std::uint32_t>(size, 'x');
@@ -192,6 +221,7 @@ Result<std::vector<Replaced>> apply(const Overrides& overrides, v1::Scene& scene
   v1::Settings& settings = *scene.mutable_settings();
 
   Result<void> result = apply_method(overrides, settings, replaced);
+  if (result) result = apply_goal(overrides, settings, replaced);
   if (result && overrides.size) result = apply_size(*overrides.size, settings, replaced);
   if (result && overrides.observer) result = apply_observer(*overrides.observer, settings);
   if (result && overrides.shading) result = apply_shading(*overrides.shading, settings, replaced);

@@ -37,7 +37,8 @@ asio::awaitable<ExitCode> render_on(Session& session, Interrupts& interrupts,
                                     const RenderOptions& options, const SceneInput& scene,
                                     Report& report) {
   const auto executor = co_await asio::this_coro::executor;
-  const Submission submission = make_submission(scene.scene(), scene.assets(), scene.name(), false);
+  Submission submission = make_submission(scene.scene(), scene.assets(), scene.name(), false);
+  submission.request.set_keep_factors(options.output.factors.has_value());
   const Answer<std::uint64_t> job_id = co_await session.submit(submission);
   if (!job_id) co_return report.session_error(job_id.error());
 
@@ -47,7 +48,7 @@ asio::awaitable<ExitCode> render_on(Session& session, Interrupts& interrupts,
               << "cancelling; press Ctrl-C again to leave at once\n";
     asio::co_spawn(executor, cancel_job(session, id), asio::detached);
   });
-  const Answer<Followed> followed = co_await follow(session, *job_id, true);
+  Answer<Followed> followed = co_await follow(session, *job_id, wanted(options.output));
   interrupts.on_first({});
   if (!followed) {
     const ExitCode code = report.session_error(followed.error());
@@ -57,8 +58,9 @@ asio::awaitable<ExitCode> render_on(Session& session, Interrupts& interrupts,
   }
 
   const ExitCode code = conclude(*followed, &scene, report);
-  if (code != ExitCode::done) co_return code;
-  co_return write_output(options.output, *followed, scene.name(), report);
+  if (code != ExitCode::done && code != ExitCode::promise_broken) co_return code;
+  const ExitCode written = write_output(options.output, *followed, scene.name(), report);
+  co_return written == ExitCode::done ? code : written;
 }
 
 }  // namespace

@@ -6,8 +6,9 @@ namespace metamer::cli {
 namespace {
 
 boost::asio::awaitable<ExitCode> submit_to(Session& session, const SceneInput& scene,
-                                           Report& report) {
-  const Submission submission = make_submission(scene.scene(), scene.assets(), scene.name(), false);
+                                           bool keep_factors, Report& report) {
+  Submission submission = make_submission(scene.scene(), scene.assets(), scene.name(), false);
+  submission.request.set_keep_factors(keep_factors);
   const Answer<std::uint64_t> job_id = co_await session.submit(submission);
   if (!job_id) co_return report.session_error(job_id.error());
   report.document()["job_id"] = *job_id;
@@ -22,7 +23,7 @@ ExitCode submit(const SubmitOptions& options) {
   const auto scene = SceneInput::load(options.scene, options.overrides, report);
   if (!scene) return report.finish(ExitCode::bad_input);
   return report.finish(with_server(options.common, report, [&](Session& session) {
-    return submit_to(session, *scene, report);
+    return submit_to(session, *scene, options.keep_factors, report);
   }));
 }
 

@@ -7,8 +7,8 @@ const char* const footer =
     "it\n"
     "again; models needs none; the other commands need one.\n"
     "\n"
-    "Exit codes: 0 done, 2 bad input or usage, 3 no server, 4 job failed, 5 cancelled, 1 "
-    "otherwise.";
+    "Exit codes: 0 done, 2 bad input or usage, 3 no server, 4 job failed, 5 cancelled, 6 the\n"
+    "picture is less accurate or slower than --tolerance or --deadline asked for, 1 otherwise.";
 
 void add_json(CLI::App& command, bool& json) {
   command.add_flag("--json", json, "one JSON document on stdout");
@@ -37,6 +37,10 @@ void add_overrides(CLI::App& command, Overrides& options) {
   add("--samples", options.samples, "point at FROM:TO:STEP nm, such as 400:700:5");
   add("--wavelengths", options.wavelengths, "point at these nm, such as 400,436,546,700");
   add("--bases", options.bases, "linear with so many basis functions, 1 to 16");
+  add("--tolerance", options.tolerance,
+      "auto: the cheapest method whose ΔE00 against the 1 nm reference stays below this");
+  add("--deadline", options.deadline,
+      "auto: the most accurate method that takes no longer than this, such as 2s");
   add("--size", options.size, "WIDTHxHEIGHT in pixels");
   add("--spp", options.spp, "samples per pixel");
   add("--depth", options.depth, "mirror reflections that a path may take");
@@ -54,6 +58,12 @@ void add_output(CLI::App& command, OutputOptions& options) {
   command.add_option("-o,--output", options.files, "a .png or .exr; may be given several times")
       ->required()
       ->allow_extra_args(false);
+  command
+      .add_option_function<std::string>(
+          "--keep-factors", [&options](const std::string& file) { options.factors = file; },
+          "keep what relighting needs, in FILE or beside the first picture as .factors")
+      ->type_name("[FILE]")
+      ->expected(0, 1);
   command.add_option("--exr", options.exr, "what an .exr holds: rgb (linear sRGB) or xyz")
       ->capture_default_str();
 }

@@ -41,6 +41,14 @@ void check_point(const v1::Point& point, const std::string& field, Findings& fin
   }
 }
 
+void check_auto(const v1::Auto& goal, const std::string& field, Findings& findings) {
+  const bool tolerance = goal.goal_case() == v1::Auto::kTolerance;
+  const double value = tolerance ? goal.tolerance() : goal.deadline();
+  const std::string name = tolerance ? "tolerance" : "deadline";
+  if (!(value > 0))
+    findings.add(field + "." + name, name + " must be above 0 (it is " + number_text(value) + ")");
+}
+
 void check_picture(const v1::Settings& full, const std::string& field, Findings& findings) {
   const std::size_t before = findings.size();
   check_range(full.width(), 1, limits::max_side, field + ".width", findings);
@@ -69,8 +77,10 @@ void check_settings(const v1::Settings& settings, const std::string& field, Find
       break;
     case v1::Method::kRgb:
     case v1::Method::kExact:
-    case v1::Method::kPrefilter:
     case v1::Method::kAuto:
+      check_auto(full.method().auto_(), field + ".method.auto", findings);
+      break;
+    case v1::Method::kPrefilter:
     case v1::Method::METHOD_NOT_SET:
       break;
   }

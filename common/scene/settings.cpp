@@ -23,6 +23,8 @@ v1::Settings with_defaults(const v1::Settings& settings) {
       point.set_step(5);
     }
   }
+  if (method.has_auto_() && method.auto_().goal_case() == v1::Auto::GOAL_NOT_SET)
+    method.mutable_auto_()->set_tolerance(0.5);
   if (method.has_linear() && !method.linear().has_bases()) method.mutable_linear()->set_bases(4);
   return full;
 }

@@ -68,6 +68,16 @@ std::optional<std::string_view> only_submessage(std::string_view message,
   return found;
 }
 
+/// Its factors are plain bytes; its plan, a message, has to be small.
+bool is_bulk_planned(std::string_view planned) {
+  const auto fields = few_fields(planned);
+  if (!fields) return false;
+  for (const Field& field : *fields)
+    if (field.number != v1::Planned::kFactorsFieldNumber && field.bytes.size() > max_control_frame)
+      return false;
+  return true;
+}
+
 std::size_t frame_limit(Peer peer) { return peer == Peer::worker ? max_worker_frame : max_frame; }
 
 tl::unexpected<ChannelError> failed(Kind kind, std::string message) {
@@ -85,6 +95,8 @@ bool is_bulk(Peer peer, std::string_view payload) {
     case Peer::server: {
       const auto event = only_submessage(payload, {v1::Envelope::kJobEventFieldNumber});
       if (!event) return false;
+      if (const auto planned = only_submessage(*event, {v1::JobEvent::kPlannedFieldNumber}))
+        return is_bulk_planned(*planned);
       const auto picture = only_submessage(
           *event, {v1::JobEvent::kTileFieldNumber, v1::JobEvent::kPreviewFieldNumber});
       return picture && few_fields(*picture);

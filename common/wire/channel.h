@@ -17,7 +17,8 @@ namespace metamer::wire {
 /// Who speaks at the other end: that decides which message and which sizes are accepted.
 enum class Peer {
   client,  ///< Sends Envelopes; only an AssetChunk may be larger than max_control_frame.
-  server,  ///< Sends Envelopes; only a Tile or a Preview may be larger than max_control_frame.
+  server,  ///< Sends Envelopes; only a Tile, a Preview or the factors of a Planned may be
+           ///< larger than max_control_frame.
   worker,  ///< Sends WorkerEnvelopes of at most max_worker_frame.
 };
 

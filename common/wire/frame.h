@@ -19,6 +19,8 @@ inline constexpr std::size_t header_size = 4;
 inline constexpr std::size_t max_control_frame = 256u << 10;
 /// The most data that one chunk of an asset or one tile carries.
 inline constexpr std::size_t max_chunk = 4u << 20;
+/// The most that a tile's factors take (factors.proto): with its pixels they are one chunk.
+inline constexpr std::size_t max_factors = 3u << 20;
 /// The largest frame of all: a chunk and the few bytes around it.
 inline constexpr std::size_t max_frame = max_chunk + 1024;
 

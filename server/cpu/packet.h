@@ -2,11 +2,10 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "server/cpu/lanes.h"
-#include "server/methods/method.h"
+#include "server/methods/gather.h"
 
 namespace metamer::cpu {
 
@@ -25,8 +24,7 @@ struct Packet {
 
 /// A thread's working memory.
 struct Workspace {
-  std::vector<Gather> gathers;  ///< One for each pixel of a block.
-  std::unique_ptr<Method::Scratch> scratch;
+  std::vector<Gather> gathers;    ///< One for each pixel of a block.
   std::uint64_t rays = 0;         ///< Camera, mirror and shadow rays since it was set.
   std::uint64_t evaluations = 0;  ///< Of models, eight points each.
   std::uint64_t timed_ticks = 0;  ///< What every timed_each-th of them took.

@@ -4,7 +4,7 @@
 
 #include "server/cpu/ticks.h"
 #include "server/cpu/triangle_places.h"
-#include "server/methods/fresnel_table.h"
+#include "common/scene/fresnel_table.h"
 
 namespace metamer::cpu {
 namespace {

@@ -23,14 +23,14 @@ Vec8 broadcast(const Eigen::Vector3d& v) {
 
 }  // namespace
 
-Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const Method& method,
-               const v1::Plan& plan)
+Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const v1::Plan& plan)
     : scene_(scene),
       geometry_(geometry),
-      method_(method),
       shading_(scene, geometry),
       depth_(plan.depth()),
-      spp_(plan.spp()) {
+      spp_(plan.spp()),
+      width_(plan.width()),
+      height_(plan.height()) {
   std::tie(block_width_, block_height_) = block_size(spp_);
   prepare_samples();
 
@@ -60,43 +60,37 @@ void Tracer::prepare_samples() {
 
 Tracer::Workspace Tracer::make_workspace() const {
   Workspace workspace;
-  workspace.scratch = method_.make_scratch();
   workspace.gathers.assign(block_width_ * block_height_, Gather(scene_.lights.size()));
   return workspace;
 }
 
-void Tracer::render(const Rect& tile, const Film& film, Workspace& workspace,
+void Tracer::render(const Rect& tile, PixelSink& sink, Workspace& workspace,
                     const std::atomic<bool>& cancelled, std::atomic<std::uint64_t>& work) const {
   for (std::uint32_t y = tile.y; y < tile.y + tile.height; y += block_height_) {
     if (cancelled.load(std::memory_order_relaxed)) return;
-    for (std::uint32_t x = tile.x; x < tile.x + tile.width; x += block_width_)
-      render_block(x, y, film, workspace);
+    for (std::uint32_t x = tile.x; x < tile.x + tile.width; x += block_width_) {
+      gather_block(x, y, workspace);
+      for (unsigned pixel = 0; pixel < workspace.gathers.size(); ++pixel) {
+        const std::uint32_t px = x + pixel % block_width_, py = y + pixel / block_width_;
+        if (px < width_ && py < height_) sink.take(px, py, workspace.gathers[pixel]);
+      }
+    }
     work.fetch_add(tile.width * block_height_, std::memory_order_relaxed);
   }
 }
 
-void Tracer::render_block(std::uint32_t x, std::uint32_t y, const Film& film,
-                          Workspace& workspace) const {
+void Tracer::gather_block(std::uint32_t x, std::uint32_t y, Workspace& workspace) const {
   for (Gather& gather : workspace.gathers) gather.clear();
   for (const Samples& samples : samples_) {
     const Float8 film_x = metamer::broadcast(static_cast<float>(x)) + samples.x;
     const Float8 film_y = metamer::broadcast(static_cast<float>(y)) + samples.y;
     Packet packet;
-    packet.active = samples.active & (film_x < static_cast<float>(film.width)) &
-                    (film_y < static_cast<float>(film.height));
+    packet.active = samples.active & (film_x < static_cast<float>(width_)) &
+                    (film_y < static_cast<float>(height_));
     packet.pixel = samples.pixel;
     packet.origin = eye_;
     packet.direction = normalize(corner_ + across_ * film_x + down_ * film_y);
     trace(packet, workspace);
-  }
-
-  // Turn what each pixel gathered into its colour.
-  for (unsigned pixel = 0; pixel < workspace.gathers.size(); ++pixel) {
-    const std::uint32_t px = x + pixel % block_width_, py = y + pixel / block_width_;
-    if (px < film.width && py < film.height)
-      film.set(px, py,
-               method_.resolve(workspace.gathers[pixel], 1 / static_cast<float>(spp_),
-                               *workspace.scratch));
   }
 }
 

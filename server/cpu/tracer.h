@@ -8,8 +8,7 @@
 #include "server/cpu/embree_scene.h"
 #include "server/cpu/sample_pattern.h"
 #include "server/cpu/shading.h"
-#include "server/film/film.h"
-#include "server/methods/method.h"
+#include "server/film/pixel_sink.h"
 
 namespace metamer::cpu {
 
@@ -20,18 +19,24 @@ namespace metamer::cpu {
 class Tracer {
  public:
   /// The references must outlive the tracer.
-  Tracer(const RenderScene& scene, const EmbreeScene& geometry, const Method& method,
-         const v1::Plan& plan);
+  Tracer(const RenderScene& scene, const EmbreeScene& geometry, const v1::Plan& plan);
 
   /// A thread's working memory.
   using Workspace = cpu::Workspace;
   Workspace make_workspace() const;
 
-  /// Renders the pixels of `tile`, whose corner lies on multiples of 8, into the film. Looks at
-  /// `cancelled` before each row of blocks and then leaves the rest as it was; `work` counts
+  /// Traces the pixels of `tile`, whose corner lies on multiples of 8, and gives each to `sink`.
+  /// Looks at `cancelled` before each row of blocks and then leaves the rest out; `work` counts
   /// pixels.
-  void render(const Rect& tile, const Film& film, Workspace& workspace,
+  void render(const Rect& tile, PixelSink& sink, Workspace& workspace,
               const std::atomic<bool>& cancelled, std::atomic<std::uint64_t>& work) const;
+
+  /// Pixels that are traced together; a block's corner lies on multiples of its sides.
+  std::uint32_t block_width() const { return block_width_; }
+  std::uint32_t block_height() const { return block_height_; }
+  /// Traces the block whose corner is `x`, `y`: what its pixels receive is in `workspace.gathers`
+  /// then, row by row; that of pixels outside the picture is empty.
+  void gather_block(std::uint32_t x, std::uint32_t y, Workspace& workspace) const;
 
  private:
   /// Eight samples of a block, from its corner, in pixels.
@@ -42,15 +47,14 @@ class Tracer {
   };
 
   void prepare_samples();
-  void render_block(std::uint32_t x, std::uint32_t y, const Film& film, Workspace& workspace) const;
   void trace(Packet& packet, Workspace& workspace) const;
   void reflect(Packet& packet, const Hits& hits, Workspace& workspace) const;
 
   const RenderScene& scene_;
   const EmbreeScene& geometry_;
-  const Method& method_;
   Shading shading_;
   unsigned depth_, spp_;
+  std::uint32_t width_, height_;
   std::uint32_t block_width_, block_height_;  ///< Pixels of a packet below eight samples; else 1×1.
   std::vector<Samples> samples_;              ///< Of one block.
   Vec8 eye_, corner_, across_,

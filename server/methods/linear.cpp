@@ -6,7 +6,7 @@
 #include "common/scene/settings.h"
 #include "server/methods/banded.h"
 #include "server/methods/exact.h"
-#include "server/methods/fresnel_table.h"
+#include "common/scene/fresnel_table.h"
 
 namespace metamer {
 namespace {

@@ -1,6 +1,6 @@
 #include "server/methods/scene_rows.h"
 
-#include "server/methods/fresnel_table.h"
+#include "common/scene/fresnel_table.h"
 #include "server/models/lanes.h"
 
 namespace metamer {

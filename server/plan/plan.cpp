@@ -7,6 +7,7 @@
 #include "server/methods/exact.h"
 #include "server/methods/linear.h"
 #include "server/methods/method.h"
+#include "server/plan/needs.h"
 
 namespace metamer {
 namespace {
@@ -165,6 +166,7 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
   notice_objects(scene, plan);
   notice_short_end(settings.method(), wavelengths, plan);
   notice_dark_lights(scene, settings, wavelengths, plan);
+  list_needs(scene, plan);
   return plan;
 }
 

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "common/scene/limits.h"
+#include "common/wire/frame.h"
 #include "server/service/limits.h"
 #include "server/service/text.h"
 
@@ -56,6 +57,13 @@ bool Job::take(Step step) {
 bool Job::start() {
   if (!take(Step::start)) return false;
   attempt_tiles_ = 0;
+  // What a lost worker left unfinished comes again.
+  scene_factors_.clear();
+  for (std::uint32_t i = 0; i < factors_.size(); ++i) {
+    if (done_[i]) continue;
+    factor_bytes_ -= factors_[i].size();
+    factors_[i].clear();
+  }
   render_since_ = Clock::now();
   v1::JobEvent event;
   event.mutable_started()->set_attempt(losses_ + 1);
@@ -86,16 +94,19 @@ bool Job::resume(std::uint32_t ahead) {
   return true;
 }
 
-bool Job::finish(v1::Timing timing) {
+bool Job::finish(v1::JobDone done) {
   if (!take(Step::finish)) return false;
+  v1::Timing& timing = *done.mutable_timing();
   timing.set_queued(queued_seconds_);
   // What was timed from the first RenderTiles on includes what the worker did before its first
   // tile.
-  timing.set_render(std::max(0.0, render_seconds_ - timing.acceleration() - timing.prepare()));
+  const double before = timing.prepare() + (timing.pilot() > 0 ? 0 : timing.acceleration());
+  timing.set_render(std::max(0.0, render_seconds_ - before));
   timing.set_total(running_seconds_);
   timing.set_rays(rays_);
   v1::JobEvent event;
   *event.mutable_finished()->mutable_timing() = std::move(timing);
+  if (done.has_accuracy()) *event.mutable_finished()->mutable_accuracy() = done.accuracy();
   append_last(std::move(event));
   return true;
 }
@@ -113,6 +124,8 @@ bool Job::cancel() {
   if (!take(Step::cancel)) return false;
   log_.drop_pictures();
   film_ = Film();
+  factors_.clear();
+  factor_bytes_ = 0;
   v1::JobEvent event;
   event.mutable_cancelled();
   append_last(std::move(event));
@@ -141,6 +154,7 @@ Result<void> Job::plan(const v1::Plan& plan) {
   width_ = plan.width();
   height_ = plan.height();
   tile_size_ = plan.tile_size();
+  method_ = plan.method();
   grid_ = TileGrid(width_, height_, tile_size_);
   v1::JobEvent event;
   *event.mutable_planned()->mutable_plan() = plan;
@@ -165,6 +179,20 @@ std::vector<std::uint32_t> Job::missing_tiles(std::size_t most) const {
     if (!done_[i]) missing.push_back(i);
   }
   return missing;
+}
+
+Result<void> Job::add_factors(std::optional<std::uint32_t> index, const std::string& piece) {
+  if (!submit_.keep_factors()) return problem("factors that nobody asked for");
+  if (index) factors_.resize(grid_.size());
+  std::string& own = index ? factors_[*index] : scene_factors_;
+  if (own.size() + piece.size() > wire::max_factors)
+    return problem("more factors than a tile may have");
+  if (factor_bytes_ + piece.size() > max_job_factors)
+    return problem("the picture has more factors than are kept, " +
+                   std::to_string(max_job_factors) + " bytes");
+  own += piece;
+  if (index) factor_bytes_ += piece.size();
+  return {};
 }
 
 void Job::add_tile(std::uint32_t index, std::uint64_t rays) {
@@ -202,10 +230,11 @@ void Job::append_progress() {
   log_.replace_progress(std::move(event), seconds());
 }
 
-v1::JobEvent Job::event(const EventLog::Entry& entry) const {
+v1::JobEvent Job::event(const EventLog::Entry& entry, bool factors) const {
   v1::JobEvent event;
   if (entry.event) {
     event = *entry.event;
+    if (factors && event.has_planned()) event.mutable_planned()->set_factors(scene_factors_);
   } else {
     const Rect rect = grid_.rect(entry.tile);
     v1::Tile& tile = *event.mutable_tile();
@@ -214,6 +243,7 @@ v1::JobEvent Job::event(const EventLog::Entry& entry) const {
     tile.set_width(rect.width);
     tile.set_height(rect.height);
     tile.set_xyz(film_.copy(rect));
+    if (factors && !factors_.empty()) tile.set_factors(factors_[entry.tile]);
   }
   event.set_job_id(id_);
   event.set_sequence(entry.sequence);

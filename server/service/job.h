@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <functional>
 #include <list>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "common/problem.h"
 #include "metamer/v1/jobs.pb.h"
 #include "metamer/v1/plan.pb.h"
+#include "metamer/v1/worker.pb.h"
 #include "server/service/asset_store.h"
 #include "server/service/event_log.h"
 #include "server/service/film.h"
@@ -36,7 +38,12 @@ class Job {
   v1::JobState state() const { return state_; }
   bool ended() const { return is_end(state_); }
   bool planned() const { return planned_; }
+  /// That of the plan; null before. A picture is of one method, whatever another worker would
+  /// choose.
+  const v1::Method* method() const { return planned_ ? &method_ : nullptr; }
   std::size_t film_bytes() const { return film_.ok() ? film_.bytes() : 0; }
+  /// The memory that its picture takes.
+  std::uint64_t picture_bytes() const { return film_bytes() + factor_bytes_; }
   v1::JobSummary summary() const;
 
   bool start();
@@ -44,9 +51,9 @@ class Job {
   bool retry(const std::string& reason);
   bool pause();
   bool resume(std::uint32_t ahead);
-  /// `timing` as the last worker gives it; what spans several attempts (queued, render, total,
-  /// rays) is filled in here.
-  bool finish(v1::Timing timing);
+  /// `done` as the last worker gives it; what spans several attempts (queued, render, total, rays)
+  /// is filled in here.
+  bool finish(v1::JobDone done);
   bool fail(v1::Failed failed);
   /// Drops what was rendered.
   bool cancel();
@@ -63,13 +70,17 @@ class Job {
   std::uint32_t tiles_done() const { return tiles_done_; }
   bool tile_done(std::uint32_t index) const { return done_[index]; }
   Film& film() { return film_; }
+  /// Takes a piece of the factors of a tile that is not done, or, without one, of the scene.
+  /// Errors, with nothing taken: more than is kept, of a tile or in all.
+  Result<void> add_factors(std::optional<std::uint32_t> index, const std::string& piece);
   /// Says that the film now holds tile `index`, which was not done. Adds progress and a preview
   /// where they are due.
   void add_tile(std::uint32_t index, std::uint64_t rays);
 
-  /// What a watcher reads. The pixels of a tile are put in from the film.
+  /// What a watcher reads. The pixels of a tile are put in from the film, and
+  /// with `factors` what is kept of these.
   const EventLog& log() const { return log_; }
-  v1::JobEvent event(const EventLog::Entry& entry) const;
+  v1::JobEvent event(const EventLog::Entry& entry, bool factors) const;
 
   /// Calls `wake` after every event for as long as the handle lives, which must not be longer than
   /// the job. Previews are made only while somebody wants them.
@@ -107,10 +118,14 @@ class Job {
   std::uint32_t width_ = 0;
   std::uint32_t height_ = 0;
   std::uint32_t tile_size_ = 0;
+  v1::Method method_;
   TileGrid grid_;
   Film film_;
   PreviewSums preview_;
   std::vector<bool> done_;  // by tile
+  std::string scene_factors_;
+  std::vector<std::string> factors_;  // by tile, where the job keeps them
+  std::uint64_t factor_bytes_ = 0;
   std::uint32_t tiles_done_ = 0;
   std::uint32_t attempt_tiles_ = 0;  // of them, since the last start
   std::uint64_t rays_ = 0;

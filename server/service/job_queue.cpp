@@ -57,7 +57,7 @@ tl::expected<void, Refusal> JobQueue::cancel(Job& job) {
 }
 
 tl::expected<void, Refusal> JobQueue::pause(Job& job) {
-  if (next_state(job.state(), Step::pause) && paused_bytes() + job.film_bytes() > keep_bytes_) {
+  if (next_state(job.state(), Step::pause) && paused_bytes() + job.picture_bytes() > keep_bytes_) {
     return refuse(v1::Error::LIMIT, "the pictures of paused jobs would take over " +
                                         std::to_string(keep_bytes_) + " bytes");
   }
@@ -75,11 +75,11 @@ tl::expected<void, Refusal> JobQueue::resume(const JobPtr& job) {
 void JobQueue::ended(Job& job) {
   assert(job.ended());
   ended_.push_back(job.id());
-  ended_bytes_ += job.film_bytes();
+  ended_bytes_ += job.picture_bytes();
   // The job that has just ended stays, however large: somebody is about to fetch it.
   while (ended_.size() > 1 && (ended_.size() > max_ended_jobs || ended_bytes_ > keep_bytes_)) {
     const auto oldest = jobs_.find(ended_.front());
-    ended_bytes_ -= oldest->second->film_bytes();
+    ended_bytes_ -= oldest->second->picture_bytes();
     jobs_.erase(oldest);
     ended_.pop_front();
   }
@@ -88,7 +88,7 @@ void JobQueue::ended(Job& job) {
 std::uint64_t JobQueue::paused_bytes() const {
   std::uint64_t bytes = 0;
   for (const auto& [id, job] : jobs_) {
-    if (job->state() == v1::PAUSED) bytes += job->film_bytes();
+    if (job->state() == v1::PAUSED) bytes += job->picture_bytes();
   }
   return bytes;
 }

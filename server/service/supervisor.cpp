@@ -147,8 +147,12 @@ void Supervisor::work() {
 
   v1::WorkerEnvelope message;
   message.set_job_id(job_->id());
-  message.mutable_compile_job()->set_scene_sha256(job_->submit().scene_sha256());
-  *message.mutable_compile_job()->mutable_asset() = job_->submit().asset();
+  v1::CompileJob& compile = *message.mutable_compile_job();
+  compile.set_scene_sha256(job_->submit().scene_sha256());
+  *compile.mutable_asset() = job_->submit().asset();
+  compile.set_explain(job_->submit().explain());
+  compile.set_keep_factors(job_->submit().keep_factors());
+  if (job_->method()) *compile.mutable_chosen() = *job_->method();
   worker_->send(std::move(message));
   state_ = State::compiling;
   last_progress_ = Clock::now();
@@ -197,6 +201,7 @@ void Supervisor::on_message(v1::WorkerEnvelope message) {
       return on_heartbeat(message.heartbeat().work());
     case Body::kPlanned:
     case Body::kTileDone:
+    case Body::kFactorsPiece:
     case Body::kDone:
     case Body::kStopped:
     case Body::kFailed:
@@ -218,8 +223,9 @@ void Supervisor::on_message(v1::WorkerEnvelope message) {
   }
   last_progress_ = last_sign_;
   if (message.has_planned()) return on_planned(message.planned().plan());
+  if (message.has_factors_piece()) return on_factors(message.factors_piece());
   if (message.has_tile_done()) return on_tile(message.tile_done());
-  if (message.has_done()) return on_done(std::move(*message.mutable_done()->mutable_timing()));
+  if (message.has_done()) return on_done(std::move(*message.mutable_done()));
   if (message.has_failed()) return on_failed(std::move(*message.mutable_failed()));
 }
 
@@ -278,6 +284,7 @@ bool Supervisor::send_next_tiles() {
     tile.set_width(rect.width);
     tile.set_height(rect.height);
   }
+  render.set_last(batch_missing_ == job_->tiles().size() - job_->tiles_done());
   worker_->send(std::move(message));
   return true;
 }
@@ -293,6 +300,19 @@ bool Supervisor::copy_tile(const Rect& rect) {
   return true;
 }
 
+void Supervisor::on_factors(const v1::FactorsPiece& piece) {
+  std::optional<std::uint32_t> index;
+  if (piece.has_tile()) {
+    index = state_ == State::rendering ? job_->tiles().find(to_rect(piece.tile())) : std::nullopt;
+    if (!index || job_->tile_done(*index))
+      return distrust("sent factors of a tile that was not asked for");
+  } else if (state_ != State::compiling) {
+    return distrust("sent factors of a scene that was not asked for");
+  }
+  if (auto added = job_->add_factors(index, piece.data()); !added)
+    distrust("sent factors that can't be kept: " + added.error().message);
+}
+
 void Supervisor::on_tile(const v1::TileDone& tile) {
   if (state_ != State::rendering) return distrust("sent a tile that was not asked for");
   const auto index = job_->tiles().find(to_rect(tile.tile()));
@@ -304,13 +324,13 @@ void Supervisor::on_tile(const v1::TileDone& tile) {
   job_->add_tile(*index, tile.rays());
 }
 
-void Supervisor::on_done(v1::Timing timing) {
+void Supervisor::on_done(v1::JobDone done) {
   if (state_ != State::rendering || batch_missing_ > 0) {
     return distrust("said that a job is done which is not");
   }
   // A large picture goes out in several batches of tiles.
   if (send_next_tiles()) return;
-  job_->finish(std::move(timing));
+  job_->finish(std::move(done));
   job_is_over();
 }
 

@@ -66,8 +66,9 @@ class Supervisor {
   void on_ready(v1::WorkerReady ready);
   void on_heartbeat(std::uint64_t work);
   void on_planned(const v1::Plan& plan);
+  void on_factors(const v1::FactorsPiece& piece);
   void on_tile(const v1::TileDone& tile);
-  void on_done(v1::Timing timing);
+  void on_done(v1::JobDone done);
   void on_failed(v1::Failed failed);
   void on_stopped();
 

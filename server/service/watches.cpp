@@ -9,6 +9,7 @@ void Watches::add(std::uint64_t request_id, const v1::Watch& request, const JobQ
   watch.request_id = request_id;
   watch.job = job;
   watch.from = std::max<std::uint64_t>(request.from_sequence(), 1);
+  watch.factors = request.factors();
   watch.filter = {request.tiles(), request.previews()};
   watch.watcher = std::make_unique<Job::Watcher>(*job, request.previews(), wake_);
   watches_.push_back(std::move(watch));
@@ -24,7 +25,7 @@ std::optional<v1::Envelope> Watches::next() {
 
     v1::Envelope envelope;
     envelope.set_request_id(watch.request_id);
-    *envelope.mutable_job_event() = watch.job->event(*entry);
+    *envelope.mutable_job_event() = watch.job->event(*entry, watch.factors);
     watch.from = entry->sequence + 1;
     if (log.ended() && entry->sequence == log.last_sequence()) {
       watches_.erase(watches_.begin() + static_cast<std::ptrdiff_t>(turn_));

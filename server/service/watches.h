@@ -32,6 +32,7 @@ class Watches {
     JobQueue::JobPtr job;
     std::uint64_t from = 1;
     EventLog::Filter filter;
+    bool factors = false;
     std::unique_ptr<Job::Watcher> watcher;  // before `job` in destruction
   };
 

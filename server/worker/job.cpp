@@ -11,9 +11,11 @@
 #include "common/digest.h"
 #include "common/scene/limits.h"
 #include "common/scene/settings.h"
+#include "common/wire/frame.h"
 #include "server/cpu/ticks.h"
 #include "server/cpu/tracer.h"
-#include "server/plan/plan.h"
+#include "server/film/factor_sink.h"
+#include "server/plan/choose.h"
 #include "server/scene/camera_space.h"
 #include "server/scene/compile.h"
 
@@ -91,7 +93,7 @@ Job::Job(std::uint64_t id, const WorkerOptions& options, Link& link, Work& work)
 Job::~Job() = default;
 
 void Job::compile(const v1::CompileJob& message) {
-  const auto start = Clock::now();
+  begun_ = Clock::now();
 
   // Parse the scene, with the defaults of its settings filled in.
   auto bytes = read_stored(options_.store, message.scene_sha256());
@@ -108,13 +110,57 @@ void Job::compile(const v1::CompileJob& message) {
   if (!compiled) return send_problems(compiled.error());
   scene_ = std::make_unique<RenderScene>(to_camera_space(std::move(*compiled)));
 
+  timing_.set_compile(seconds_since(begun_));
+
+  keep_factors_ = message.keep_factors();
+  if (keep_factors_ && !send_factors(nullptr, scene_factors(*scene_).SerializeAsString()))
+    return send_failure(v1::Failed::BAD_INPUT,
+                        "the spectra of the scene are too many to keep factors for");
+
   // Plan, and let the daemon decide.
-  plan_ = make_plan(*scene_, scene.settings(), {.threads = options_.threads});
-  plan_.set_scene_digest(message.scene_sha256());
-  timing_.set_compile(seconds_since(start));
+  settings_ = scene.settings();
+  if (!make_plan(message)) return send_stopped();
   v1::WorkerEnvelope planned = envelope();
   *planned.mutable_planned()->mutable_plan() = plan_;
   link_.send(planned);
+}
+
+/// Plans, after a look at pilot pixels where the method is to be chosen or explained. False when
+/// stopped.
+bool Job::make_plan(const v1::CompileJob& message) {
+  const Capabilities capabilities{.threads = options_.threads};
+  const bool is_auto = settings_.method().has_auto_();
+  const v1::Auto goal = settings_.method().auto_();
+  if (message.has_chosen()) *settings_.mutable_method() = message.chosen();
+
+  std::vector<v1::Prediction> predictions;
+  std::string objection;
+  if (settings_.method().has_auto_() || message.explain()) {
+    if (!build_geometry()) return false;
+    const auto start = Clock::now();
+    const PilotScene pilot{*scene_, *geometry_, settings_, capabilities, stopped_, work_};
+    if (settings_.method().has_auto_()) {
+      Choice choice = choose(pilot, goal, seconds_since(begun_));
+      *settings_.mutable_method() = choice.method;
+      method_ = std::move(choice.prepared);
+      predictions = std::move(choice.predictions);
+      objection = std::move(choice.objection);
+    }
+    if (message.explain()) predictions = predict_all(pilot, settings_.method());
+    timing_.set_pilot(seconds_since(start));
+    if (stopped_) return false;
+  }
+
+  plan_ = metamer::make_plan(*scene_, settings_, capabilities);
+  plan_.set_scene_digest(message.scene_sha256());
+  plan_.mutable_prediction()->Assign(predictions.begin(), predictions.end());
+  if (is_auto) *plan_.mutable_auto_() = goal;
+  if (!objection.empty()) {
+    v1::Notice* notice = plan_.add_notice();
+    notice->set_field("settings.method.auto");
+    notice->set_message(objection);
+  }
+  return true;
 }
 
 void Job::render(const v1::RenderTiles& message) {
@@ -128,43 +174,74 @@ void Job::render(const v1::RenderTiles& message) {
   const bool rendered = arena.execute([&] {
     return prepare() && render_tiles(message, {film.xyz(), plan_.width(), plan_.height()});
   });
+  if (too_many_factors_)
+    return send_failure(
+        v1::Failed::BAD_INPUT,
+        "a tile has more factors than can be kept: lower the depth, or the tile size");
   if (!rendered) return send_stopped();
   timing_.set_models(static_cast<double>(model_ticks_) /
                      static_cast<double>(std::max<std::uint64_t>(ticks_, 1)));
   v1::WorkerEnvelope done = envelope();
   *done.mutable_done()->mutable_timing() = timing_;
+  if (plan_.has_auto_() && message.last())
+    *done.mutable_done()->mutable_accuracy() = measure_promise();
   send_last(done);
+}
+
+bool Job::build_geometry() {
+  if (geometry_) return true;
+  const auto start = Clock::now();
+  geometry_ = cpu::EmbreeScene::build(*scene_, stopped_);
+  timing_.set_acceleration(seconds_since(start));
+  ++work_;
+  return geometry_.has_value();
 }
 
 /// Makes the method's tables and the acceleration structure. False when stopped.
 bool Job::prepare() {
-  if (geometry_) return true;
-  const auto tables_start = Clock::now();
-  method_ = make_method(plan_, *scene_);
-  timing_.set_prepare(seconds_since(tables_start));
-  ++work_;
+  if (!method_) {
+    const auto start = Clock::now();
+    method_ = make_method(plan_, *scene_);
+    timing_.set_prepare(seconds_since(start));
+    ++work_;
+  }
+  return build_geometry();
+}
 
-  const auto build_start = Clock::now();
-  geometry_ = cpu::EmbreeScene::build(*scene_, stopped_);
-  timing_.set_acceleration(seconds_since(build_start));
-  ++work_;
-  return geometry_.has_value();
+v1::Accuracy Job::measure_promise() {
+  const double elapsed = seconds_since(begun_);
+  const Capabilities capabilities{.threads = options_.threads};
+  v1::Accuracy accuracy;
+  *accuracy.mutable_error() =
+      measure({*scene_, *geometry_, settings_, capabilities, stopped_, work_}, *method_);
+  accuracy.set_kept(plan_.auto_().has_deadline()
+                        ? elapsed <= plan_.auto_().deadline()
+                        : accuracy.error().maximum() <= plan_.auto_().tolerance());
+  return accuracy;
 }
 
 /// Lets each thread take the next tile, so that they are begun in the daemon's order. False when
 /// stopped.
 bool Job::render_tiles(const v1::RenderTiles& message, const Film& film) {
-  const cpu::Tracer tracer(*scene_, *geometry_, *method_, plan_);
+  const cpu::Tracer tracer(*scene_, *geometry_, plan_);
   std::atomic<int> next = 0;
   tbb::parallel_for(0u, plan_.threads(), [&](unsigned) {
     cpu::Tracer::Workspace workspace = tracer.make_workspace();
+    FilmSink film_sink(*method_, film, plan_.spp());
+    FactorSink factor_sink(*scene_, film_sink, plan_.spp());
+    PixelSink& sink = keep_factors_ ? static_cast<PixelSink&>(factor_sink) : film_sink;
     const std::uint64_t start = cpu::ticks();
-    for (int i = next++; i < message.tile_size() && !stopped_; i = next++) {
+    for (int i = next++; i < message.tile_size() && !stopped_ && !too_many_factors_; i = next++) {
       const v1::TileRect& tile = message.tile(i);
+      const Rect rect{tile.x(), tile.y(), tile.width(), tile.height()};
       workspace.rays = 0;
-      tracer.render({tile.x(), tile.y(), tile.width(), tile.height()}, film, workspace, stopped_,
-                    work_);
+      if (keep_factors_) factor_sink.begin(rect);
+      tracer.render(rect, sink, workspace, stopped_, work_);
       if (stopped_) return;
+      if (keep_factors_ && !send_factors(&tile, factor_sink.finish().SerializeAsString())) {
+        too_many_factors_ = true;
+        return;
+      }
       v1::WorkerEnvelope tile_done = envelope();
       *tile_done.mutable_tile_done()->mutable_tile() = tile;
       tile_done.mutable_tile_done()->set_rays(workspace.rays);
@@ -174,6 +251,20 @@ bool Job::render_tiles(const v1::RenderTiles& message, const Film& film) {
     model_ticks_ += cpu::model_ticks(workspace);
   });
   return !stopped_;
+}
+
+/// In pieces that a worker's frame holds. False for more than is kept, or for none at all.
+bool Job::send_factors(const v1::TileRect* tile, const std::string& bytes) {
+  constexpr std::size_t piece_size = 128u << 10;
+  if (bytes.empty() || bytes.size() > wire::max_factors) return false;
+  for (std::size_t at = 0; at < bytes.size(); at += piece_size) {
+    v1::WorkerEnvelope message = envelope();
+    v1::FactorsPiece& piece = *message.mutable_factors_piece();
+    if (tile) *piece.mutable_tile() = *tile;
+    piece.set_data(bytes.substr(at, piece_size));
+    link_.send(message);
+  }
+  return true;
 }
 
 v1::WorkerEnvelope Job::envelope() const {

@@ -56,7 +56,11 @@ class Job {
   void send_failure(v1::Failed::Kind kind, const std::string& reason);
   v1::WorkerEnvelope envelope() const;
   void send_last(const v1::WorkerEnvelope& message);
+  bool make_plan(const v1::CompileJob& message);
+  bool build_geometry();
   bool prepare();
+  v1::Accuracy measure_promise();
+  bool send_factors(const v1::TileRect* tile, const std::string& bytes);
   bool render_tiles(const v1::RenderTiles& message, const Film& film);
 
   std::uint64_t id_;
@@ -64,12 +68,16 @@ class Job {
   Link& link_;
   Work& work_;
   std::atomic<bool> stopped_ = false;
+  std::atomic<bool> too_many_factors_ = false;
+  bool keep_factors_ = false;
   std::atomic<bool> ended_ = false;
   std::unique_ptr<RenderScene> scene_;
   std::unique_ptr<Method> method_;
   std::optional<cpu::EmbreeScene> geometry_;
+  v1::Settings settings_;  ///< With the defaults filled in.
   v1::Plan plan_;
   v1::Timing timing_;
+  std::chrono::steady_clock::time_point begun_;
   std::atomic<std::uint64_t> ticks_ = 0, model_ticks_ = 0;  ///< Of all threads, while rendering.
 };
 

@@ -38,6 +38,7 @@ bool Lane::take(const v1::WorkerEnvelope& message) {
     case v1::WorkerEnvelope::kPlanned:
     case v1::WorkerEnvelope::kTileDone:
     case v1::WorkerEnvelope::kDone:
+    case v1::WorkerEnvelope::kFactorsPiece:
     case v1::WorkerEnvelope::kStopped:
     case v1::WorkerEnvelope::kFailed:
     case v1::WorkerEnvelope::BODY_NOT_SET:

@@ -26,12 +26,13 @@ struct Bench {
 
   /// Renders the whole picture by tiles on this thread; returns the rays.
   std::uint64_t render(const Method& method) {
-    const cpu::Tracer tracer(scene, geometry, method, plan);
+    const cpu::Tracer tracer(scene, geometry, plan);
     auto workspace = tracer.make_workspace();
     const Film film{pixels.data(), plan.width(), plan.height()};
+    FilmSink sink(method, film, plan.spp());
     for (std::uint32_t y = 0; y < plan.height(); y += plan.tile_size())
       for (std::uint32_t x = 0; x < plan.width(); x += plan.tile_size())
-        tracer.render({x, y, plan.tile_size(), plan.tile_size()}, film, workspace, never, work);
+        tracer.render({x, y, plan.tile_size(), plan.tile_size()}, sink, workspace, never, work);
     return workspace.rays;
   }
 

@@ -43,17 +43,18 @@ Rendered render(const std::string& scene_text) {
   const std::atomic<bool> never = false;
   std::atomic<std::uint64_t> work = 0;
   const auto geometry = cpu::EmbreeScene::build(scene, never);
-  const cpu::Tracer tracer(scene, *geometry, *method, plan);
+  const cpu::Tracer tracer(scene, *geometry, plan);
 
   Rendered picture{plan.width(), plan.height(), {}, 0};
   picture.xyz.assign(std::size_t{plan.width()} * plan.height() * 3, -1.0f);
   const Film film{picture.xyz.data(), plan.width(), plan.height()};
   auto workspace = tracer.make_workspace();
+  FilmSink sink(*method, film, plan.spp());
   const std::uint32_t size = plan.tile_size();
   for (std::uint32_t y = 0; y < plan.height(); y += size)
     for (std::uint32_t x = 0; x < plan.width(); x += size)
       tracer.render({x, y, std::min(size, plan.width() - x), std::min(size, plan.height() - y)},
-                    film, workspace, never, work);
+                    sink, workspace, never, work);
   picture.rays = workspace.rays;
   return picture;
 }

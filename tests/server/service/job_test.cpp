@@ -39,7 +39,7 @@ class JobTest : public testing::Test {
     std::vector<v1::JobEvent> events;
     while (const auto entry = job.log().next(from, filter)) {
       if (!events.empty() && entry->sequence <= events.back().sequence()) break;
-      events.push_back(job.event(*entry));
+      events.push_back(job.event(*entry, false));
       from = entry->sequence + 1;
     }
     return events;

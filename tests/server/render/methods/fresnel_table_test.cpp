@@ -1,4 +1,4 @@
-#include "server/methods/fresnel_table.h"
+#include "common/scene/fresnel_table.h"
 
 #include <gtest/gtest.h>
 

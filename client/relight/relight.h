@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "client/relight/factors.h"
+#include "common/color/xyz.h"
+#include "common/image/image.h"
+#include "common/spectral/cie.h"
+
+/// The renderer's second half by itself: what light and paint make of a picture's factors. The
+/// answer is that of the method `exact`, 360 to 830 nm by 1 nm, to the rounding of f32.
+namespace metamer {
+
+/// X Y Z of each pixel. `scene` has the lights and materials of `factors.scene`, with spectra of
+/// its own choice.
+Image relight(const Factors& factors, const v1::SceneFactors& scene, cie::Observer observer);
+
+/// The light of each pixel at `wavelengths`, a channel each, named by its nm.
+Image relight_spectral(const Factors& factors, const v1::SceneFactors& scene,
+                       cie::Observer observer, const Wavelengths& wavelengths);
+
+/// X Y Z of the dominant light at Y = 1; empty where the observer sees nothing of it.
+std::optional<Xyz> source_white(const v1::SceneFactors& scene, cie::Observer observer);
+
+}  // namespace metamer

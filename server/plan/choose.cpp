@@ -1,0 +1,184 @@
+#include "server/plan/choose.h"
+
+#include <google/protobuf/util/message_differencer.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+
+namespace metamer {
+namespace {
+
+/// Fresh pixels show a little more than the pilot's worst.
+constexpr double tolerance_margin = 0.8;
+/// A prediction is made on a machine that does other things as well.
+constexpr double deadline_margin = 0.8;
+/// ΔE00 that nobody sees: it is not worth any time to be better.
+constexpr double invisible = 0.05;
+
+v1::Method point(double step) {
+  v1::Method method;
+  method.mutable_point()->set_from(step > 1 ? 380 : 360);
+  method.mutable_point()->set_to(step > 1 ? 780 : 830);
+  method.mutable_point()->set_step(step);
+  return method;
+}
+
+v1::Method fitted(std::uint32_t count) {
+  v1::Method method;
+  method.mutable_point()->set_fitted(count);
+  return method;
+}
+
+v1::Method linear(std::uint32_t bases) {
+  v1::Method method;
+  method.mutable_linear()->set_bases(bases);
+  method.mutable_linear()->set_weighting(v1::Linear::OBSERVER);
+  method.mutable_linear()->set_bounce(true);
+  return method;
+}
+
+using Fits = std::function<bool(const Predicted&)>;
+
+Predicted* cheapest(std::vector<Predicted>& all, const Fits& fits) {
+  Predicted* best = nullptr;
+  for (Predicted& one : all)
+    if (!one.rejected && fits(one) && (!best || one.seconds() < best->seconds())) best = &one;
+  return best;
+}
+
+Predicted* most_accurate(std::vector<Predicted>& all, const Fits& fits) {
+  Predicted* best = nullptr;
+  for (Predicted& one : all)
+    if (!one.rejected && fits(one) && (!best || one.error() < best->error())) best = &one;
+  return best;
+}
+
+Choice conclude(std::vector<Predicted>& all, Predicted* best, std::string objection) {
+  Choice choice;
+  choice.objection = std::move(objection);
+  best->prediction.set_chosen(true);
+  choice.method = best->prediction.method();
+  choice.prepared = std::move(best->method);
+  std::sort(all.begin(), all.end(),
+            [](const Predicted& a, const Predicted& b) { return a.seconds() < b.seconds(); });
+  for (const Predicted& one : all) choice.predictions.push_back(one.prediction);
+  return choice;
+}
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+Choice keep_tolerance(Predictor& predictor, const std::atomic<bool>& stopped, double tolerance) {
+  const Fits fits = [&](const Predicted& one) {
+    return one.error() <= tolerance_margin * tolerance;
+  };
+  const Fits any = [](const Predicted&) { return true; };
+  std::vector<Predicted> all;
+  const std::vector<v1::Method> methods = candidates();
+  for (std::uint32_t round = 0;; ++round) {
+    // Look on while nothing fits, or while something cheaper could pay for the looking.
+    Predicted* best = cheapest(all, fits);
+    while (all.empty() ||
+           (all.size() < methods.size() && !stopped &&
+            (!best || best->seconds() - predictor.floor_seconds() > all.back().took))) {
+      all.push_back(predictor.predict(methods[all.size()]));
+      best = cheapest(all, fits);
+    }
+
+    // Nothing fits with a margin: what is the best?
+    if (!best) best = most_accurate(all, any);
+    if (!best) {
+      best = &*std::min_element(all.begin(), all.end(), [](const Predicted& a, const Predicted& b) {
+        return a.error() < b.error();
+      });
+      return conclude(all, best,
+                      "no method keeps to a tolerance of " + number(tolerance) +
+                          "; the best one is off by " + number(best->error()));
+    }
+
+    // Ask pixels that had no part in this.
+    const v1::ColorError fresh = predictor.check(*best->method, round);
+    if (fresh.maximum() <= tolerance || stopped) return conclude(all, best, {});
+    best->rejected = true;
+  }
+}
+
+Choice keep_deadline(Predictor& predictor, const std::atomic<bool>& stopped, double deadline,
+                     const std::function<double()>& elapsed) {
+  std::vector<Predicted> all;
+  std::vector<v1::Method> methods = candidates();
+  // The exact one is mostly cheap enough: then there is nothing to choose.
+  std::stable_partition(methods.begin(), methods.end(),
+                        [](const v1::Method& method) { return method.has_exact(); });
+  const Fits fits = [&](const Predicted& one) {
+    return elapsed() + one.seconds() <= deadline_margin * deadline;
+  };
+  Predicted* best = nullptr;
+  double looking = 0;
+  for (const v1::Method& method : methods) {
+    if ((stopped && !all.empty()) ||
+        (best && (best->error() <= invisible || looking > 0.1 * deadline)))
+      break;
+    all.push_back(predictor.predict(method));
+    looking += all.back().took;
+    best = most_accurate(all, fits);
+  }
+  if (best) return conclude(all, best, {});
+  best = cheapest(all, [](const Predicted&) { return true; });
+  return conclude(all, best,
+                  "no method keeps to a deadline of " + number(deadline) +
+                      " s; the cheapest one takes about " + number(elapsed() + best->seconds()) +
+                      " s");
+}
+
+}  // namespace
+
+std::vector<v1::Method> candidates() {
+  std::vector<v1::Method> all(3);
+  all[0].mutable_rgb();
+  all[1].mutable_exact();
+  all[2].mutable_prefilter();
+  for (const std::uint32_t bases : {3u, 4u, 6u}) all.push_back(linear(bases));
+  for (const std::uint32_t count : {6u, 8u, 12u, 16u}) all.push_back(fitted(count));
+  all.push_back(linear(8));
+  for (const double step : {20.0, 10.0, 5.0, 1.0}) all.push_back(point(step));
+  return all;
+}
+
+Choice choose(const PilotScene& pilot, const v1::Auto& goal, double elapsed) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto so_far = [=] {
+    return elapsed +
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  Predictor predictor(pilot);
+  return goal.has_deadline() ? keep_deadline(predictor, pilot.stopped, goal.deadline(), so_far)
+                             : keep_tolerance(predictor, pilot.stopped, goal.tolerance());
+}
+
+std::vector<v1::Prediction> predict_all(const PilotScene& pilot, const v1::Method& method) {
+  using google::protobuf::util::MessageDifferencer;
+  Predictor predictor(pilot);
+  std::vector<v1::Method> methods = candidates();
+  const auto same = [&](const v1::Method& other) {
+    return MessageDifferencer::Equals(method, other);
+  };
+  if (!method.has_auto_() && std::none_of(methods.begin(), methods.end(), same))
+    methods.push_back(method);
+  std::vector<v1::Prediction> all;
+  for (const v1::Method& one : methods) {
+    if (pilot.stopped) break;
+    all.push_back(predictor.predict(one).prediction);
+    all.back().set_chosen(same(one));
+  }
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return a.prepare() + a.render() < b.prepare() + b.render();
+  });
+  return all;
+}
+
+}  // namespace metamer

@@ -1,0 +1,146 @@
+#include "server/plan/pilot.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <set>
+
+#include "server/cpu/tracer.h"
+
+namespace metamer {
+namespace {
+
+constexpr std::size_t max_scene_colors = 2048;
+
+double fraction(double value) { return value - std::floor(value); }
+
+/// A pixel that receives one light from one surface, over a mirror or none.
+class ColorPatch {
+ public:
+  ColorPatch(const RenderScene& scene, std::uint32_t light)
+      : light_(light), gather_(scene.lights.size()) {}
+
+  ColorPatch over(const RenderScene& scene, std::uint32_t mirror) const {
+    ColorPatch other = *this;
+    const bool plain = scene.materials[mirror].fresnel == FresnelKind::none;
+    other.path_ = other.gather_.path(0, mirror, plain ? 0.0f : 1.0f);
+    return other;
+  }
+  Gather diffuse(std::uint32_t material) const {
+    return with(material, {.diffuse = 1, .specular = 0, .white = 0});
+  }
+  /// A highlight as bright as a white that faces the light.
+  Gather specular(const RenderScene& scene, std::uint32_t material) const {
+    if (scene.materials[material].fresnel != FresnelKind::exact)
+      return with(material, {.diffuse = 0, .specular = 1, .white = 0});
+    Gather gather = gather_;
+    gather.add_fresnel(gather.surface(path_, material), light_, fresnel_nodes - 1, 1);
+    return gather;
+  }
+
+ private:
+  Gather with(std::uint32_t material, const LobeWeights& weights) const {
+    Gather gather = gather_;
+    gather.weights(gather.surface(path_, material), light_) = weights;
+    return gather;
+  }
+
+  std::uint32_t light_, path_ = 0;
+  Gather gather_;
+};
+
+}  // namespace
+
+std::uint32_t pilot_count(const v1::Plan& plan) {
+  const std::uint64_t pixels = std::uint64_t{plan.width()} * plan.height();
+  return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(pixels / 256, 16, 256));
+}
+
+PilotPixels trace_pixels(const RenderScene& scene, const cpu::EmbreeScene& geometry,
+                         const v1::Plan& plan, PixelRun run, Reference& reference,
+                         const std::atomic<bool>& stopped, std::atomic<std::uint64_t>& work) {
+  using Clock = std::chrono::steady_clock;
+  const cpu::Tracer tracer(scene, geometry, plan);
+  auto workspace = tracer.make_workspace();
+  PilotPixels pixels;
+  pixels.scale = 1 / static_cast<float>(plan.spp());
+  const auto start = Clock::now();
+  for (std::uint32_t k = run.first; k < run.first + run.count && !stopped; ++k) {
+    // Find the block of the place.
+    const auto place = [k](double alpha, std::uint32_t size, std::uint32_t block) {
+      const auto at = static_cast<std::uint32_t>(fraction(0.5 + (k + 1) * alpha) * size);
+      return std::min(at, size - 1) / block * block;
+    };
+    const std::uint32_t x = place(0.7548776662466927, plan.width(), tracer.block_width());
+    const std::uint32_t y = place(0.5698402909980532, plan.height(), tracer.block_height());
+    tracer.gather_block(x, y, workspace);
+
+    for (std::uint32_t i = 0; i < workspace.gathers.size(); ++i)
+      if (x + i % tracer.block_width() < plan.width() &&
+          y + i / tracer.block_width() < plan.height())
+        pixels.gathers.push_back(workspace.gathers[i]);
+    ++work;
+  }
+  pixels.trace_seconds = std::chrono::duration<double>(Clock::now() - start).count() /
+                         static_cast<double>(std::max<std::size_t>(1, pixels.gathers.size()));
+  for (const Gather& gather : pixels.gathers) {
+    pixels.reference.push_back(
+        to_lab(reference.resolve(gather, 1.0 / plan.spp()), reference.white()));
+    if (++work; stopped) break;
+  }
+  pixels.gathers.resize(pixels.reference.size(), Gather(scene.lights.size()));
+  return pixels;
+}
+
+PilotPixels scene_colors(const RenderScene& scene, Reference& reference) {
+  std::set<std::uint32_t> used, mirrors;
+  for (const RenderObject& object : scene.objects) {
+    used.insert(object.material);
+    if (scene.materials[object.material].mirror > 0) mirrors.insert(object.material);
+  }
+  PilotPixels pixels;
+  const auto add = [&](const Gather& gather) {
+    if (pixels.gathers.size() >= max_scene_colors) return;
+    pixels.gathers.push_back(gather);
+    pixels.reference.push_back(to_lab(reference.resolve(gather, 1), reference.white()));
+  };
+  const auto add_all = [&](const ColorPatch& patch) {
+    for (const std::uint32_t material : used) {
+      add(patch.diffuse(material));
+      if (scene.materials[material].has(models::highlighted)) add(patch.specular(scene, material));
+    }
+  };
+  for (std::uint32_t light = 0; light < scene.lights.size(); ++light) add_all({scene, light});
+  for (std::uint32_t light = 0; light < scene.lights.size(); ++light)
+    for (const std::uint32_t mirror : mirrors)
+      add_all(ColorPatch(scene, light).over(scene, mirror));
+  return pixels;
+}
+
+std::vector<double> color_errors(const Method& method, const PilotPixels& pixels, PixelRange range,
+                                 const Xyz& white, Method::Scratch& scratch) {
+  std::vector<double> errors;
+  errors.reserve(range.last - range.first);
+  for (std::size_t i = range.first; i < range.last; ++i) {
+    const std::array<float, 3> xyz = method.resolve(pixels.gathers[i], pixels.scale, scratch);
+    const double error = delta_e_00(to_lab({xyz[0], xyz[1], xyz[2]}, white), pixels.reference[i]);
+    errors.push_back(std::isfinite(error) ? error : std::numeric_limits<double>::infinity());
+  }
+  return errors;
+}
+
+v1::ColorError summarize(std::vector<double> errors) {
+  v1::ColorError error;
+  error.set_pixels(static_cast<std::uint32_t>(errors.size()));
+  if (errors.empty()) return error;
+  std::sort(errors.begin(), errors.end());
+  const auto count = static_cast<double>(errors.size());
+  error.set_mean(std::accumulate(errors.begin(), errors.end(), 0.0) / count);
+  error.set_percentile_95(errors[static_cast<std::size_t>(std::ceil(0.95 * count)) - 1]);
+  error.set_maximum(errors.back());
+  return error;
+}
+
+}  // namespace metamer

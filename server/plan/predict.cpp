@@ -1,0 +1,98 @@
+#include "server/plan/predict.h"
+
+#include <chrono>
+
+#include "common/scene/settings.h"
+
+namespace metamer {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+v1::Method any_method() {
+  v1::Method method;
+  method.mutable_rgb();
+  return method;
+}
+
+/// Pixels that no prediction has seen: as many again as the pilot has, twice.
+PixelRun fresh_run(const v1::Plan& plan, std::uint32_t round) {
+  const std::uint32_t count = pilot_count(plan);
+  return {count * (1 + 2 * round), 2 * count};
+}
+
+}  // namespace
+
+v1::Plan plan_with(const PilotScene& pilot, const v1::Method& method) {
+  v1::Settings settings = pilot.settings;
+  *settings.mutable_method() = method;
+  return make_plan(pilot.scene, with_defaults(settings), pilot.capabilities);
+}
+
+Predictor::Predictor(const PilotScene& pilot)
+    : pilot_(pilot),
+      plan_(plan_with(pilot, any_method())),
+      reference_(pilot.scene, to_observer(plan_.observer())),
+      pixels_(trace_pixels(pilot.scene, pilot.geometry, plan_, {0, pilot_count(plan_)}, reference_,
+                           pilot.stopped, pilot.work)),
+      colors_(scene_colors(pilot.scene, reference_)) {}
+
+double Predictor::pixel_seconds(double seconds) const {
+  return seconds * plan_.width() * plan_.height() / std::max(1u, plan_.threads());
+}
+
+double Predictor::floor_seconds() const { return pixel_seconds(pixels_.trace_seconds); }
+
+Predicted Predictor::predict(const v1::Method& method) {
+  const auto start = Clock::now();
+  Predicted predicted;
+  v1::Prediction& prediction = predicted.prediction;
+  const v1::Plan plan = plan_with(pilot_, method);
+  *prediction.mutable_method() = plan.method();
+  predicted.method = make_method(plan, pilot_.scene);
+  prediction.set_prepare(seconds_since(start));
+
+  // The first half of the pixels fills what the method remembers; the second is timed.
+  const auto scratch = predicted.method->make_scratch();
+  const std::size_t count = pixels_.gathers.size(), half = count / 2;
+  const Xyz& white = reference_.white();
+  std::vector<double> errors = color_errors(*predicted.method, pixels_, {0, half}, white, *scratch);
+  const auto half_time = Clock::now();
+  const std::vector<double> rest =
+      color_errors(*predicted.method, pixels_, {half, count}, white, *scratch);
+  const double resolve =
+      seconds_since(half_time) / static_cast<double>(std::max<std::size_t>(1, rest.size()));
+  errors.insert(errors.end(), rest.begin(), rest.end());
+  prediction.set_render(pixel_seconds(pixels_.trace_seconds + resolve));
+  *prediction.mutable_error() = summarize(std::move(errors));
+
+  prediction.set_bound(summarize(color_errors(*predicted.method, colors_,
+                                              {0, colors_.gathers.size()}, white, *scratch))
+                           .maximum());
+  ++pilot_.work;
+  predicted.took = seconds_since(start);
+  return predicted;
+}
+
+v1::ColorError Predictor::check(const Method& method, std::uint32_t round) {
+  const PilotPixels pixels =
+      trace_pixels(pilot_.scene, pilot_.geometry, plan_, fresh_run(plan_, 1 + round), reference_,
+                   pilot_.stopped, pilot_.work);
+  return summarize(color_errors(method, pixels, {0, pixels.gathers.size()}, reference_.white(),
+                                *method.make_scratch()));
+}
+
+v1::ColorError measure(const PilotScene& pilot, const Method& method) {
+  const v1::Plan plan = plan_with(pilot, any_method());
+  Reference reference(pilot.scene, to_observer(plan.observer()));
+  const PilotPixels pixels = trace_pixels(pilot.scene, pilot.geometry, plan, fresh_run(plan, 0),
+                                          reference, pilot.stopped, pilot.work);
+  return summarize(color_errors(method, pixels, {0, pixels.gathers.size()}, reference.white(),
+                                *method.make_scratch()));
+}
+
+}  // namespace metamer

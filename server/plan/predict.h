@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+
+#include "server/plan/pilot.h"
+#include "server/plan/plan.h"
+
+namespace metamer {
+
+/// What is predicted: a scene in front of its camera.
+struct PilotScene {
+  const RenderScene& scene;
+  const cpu::EmbreeScene& geometry;
+  const v1::Settings& settings;  ///< Validated, defaults filled in; the method does not matter.
+  const Capabilities& capabilities;
+  const std::atomic<bool>& stopped;
+  std::atomic<std::uint64_t>& work;
+};
+
+/// A prediction and what was made for it.
+struct Predicted {
+  v1::Prediction prediction;
+  std::unique_ptr<Method> method;
+  double took = 0;        ///< Seconds that the prediction cost.
+  bool rejected = false;  ///< Fresh pixels showed more than the pilot did.
+
+  double seconds() const { return prediction.prepare() + prediction.render(); }
+  /// The largest ΔE00 seen, in the picture or among the scene's colors.
+  double error() const { return std::max(prediction.error().maximum(), prediction.bound()); }
+};
+
+/// Predicts what methods would cost and how far off they would be, from pixels that are traced
+/// once. Belongs to one thread; what it refers to must outlive it.
+class Predictor {
+ public:
+  explicit Predictor(const PilotScene& pilot);
+
+  Predicted predict(const v1::Method& method);
+
+  /// The error on pixels that had no part in predictions; another `round`, other pixels.
+  v1::ColorError check(const Method& method, std::uint32_t round);
+
+  /// Seconds that any method takes: those of the rays.
+  double floor_seconds() const;
+
+ private:
+  double pixel_seconds(double seconds) const;  ///< Of the picture, where a pixel takes so many.
+
+  const PilotScene& pilot_;
+  v1::Plan plan_;
+  Reference reference_;
+  PilotPixels pixels_, colors_;
+};
+
+/// A plan's promise after its picture was rendered: the error on pixels that had no part in the
+/// choice.
+v1::ColorError measure(const PilotScene& pilot, const Method& method);
+
+/// The plan of the pilot's scene with another method.
+v1::Plan plan_with(const PilotScene& pilot, const v1::Method& method);
+
+}  // namespace metamer

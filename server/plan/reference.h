@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "common/color/xyz.h"
+#include "common/spectral/cie.h"
+#include "common/scene/fresnel_table.h"
+#include "server/methods/gather.h"
+#include "server/scene/render_scene.h"
+
+namespace metamer {
+
+/// What every method is measured against: point sampling at each nm from 360 to 830, in f64. Not
+/// for rendering: it takes its time. Belongs to one thread.
+class Reference {
+ public:
+  /// `scene` must outlive it.
+  Reference(const RenderScene& scene, cie::Observer observer);
+
+  /// The light of one pixel, `scale` times the sums of `gather`.
+  Xyz resolve(const Gather& gather, double scale);
+
+  /// X Y Z of the dominant light at Y = 1, the white of color differences: of the first light that
+  /// the observer sees at all; of equal energy, where there is none.
+  const Xyz& white() const { return white_; }
+
+ private:
+  using Values = std::vector<double>;
+  void add_surface(const Gather& gather, std::size_t surface, Values& carrier) const;
+  Values mirror(const Gather::Path& path) const;
+  const Values& fresnel_row(std::uint32_t constants, std::uint32_t node);
+
+  const RenderScene& scene_;
+  ObserverWeights observer_;
+  std::size_t bands_;
+  std::vector<Values> lights_;      ///< With their luminance, E[3.2-4].
+  std::vector<Values> properties_;  ///< At every nm.
+  std::vector<ConstantsAt> constants_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Values> fresnel_rows_;
+  Xyz white_{1, 1, 1};
+};
+
+}  // namespace metamer

@@ -1,0 +1,73 @@
+#include "tests/promises/measured_scene.h"
+
+#include <chrono>
+
+#include "common/scene/settings.h"
+#include "server/cpu/tracer.h"
+#include "server/scene/camera_space.h"
+#include "tests/server/render/test_scene.h"
+
+namespace metamer::promises {
+namespace {
+
+class ReferenceSink : public PixelSink {
+ public:
+  ReferenceSink(Reference& reference, const v1::Settings& settings, std::vector<Lab>& to)
+      : reference_(reference), settings_(settings), to_(to) {
+    to_.resize(std::size_t{settings.width()} * settings.height());
+  }
+  void take(std::uint32_t x, std::uint32_t y, const Gather& gather) override {
+    to_[std::size_t{y} * settings_.width() + x] =
+        to_lab(reference_.resolve(gather, 1.0 / settings_.spp()), reference_.white());
+  }
+
+ private:
+  Reference& reference_;
+  const v1::Settings& settings_;
+  std::vector<Lab>& to_;
+};
+
+void trace_all(const PilotScene& pilot, PixelSink& sink) {
+  v1::Method method;
+  method.mutable_rgb();
+  const v1::Plan plan = plan_with(pilot, method);
+  const cpu::Tracer tracer(pilot.scene, pilot.geometry, plan);
+  auto workspace = tracer.make_workspace();
+  tracer.render({0, 0, plan.width(), plan.height()}, sink, workspace, pilot.stopped, pilot.work);
+}
+
+}  // namespace
+
+MeasuredScene::MeasuredScene(const VariedScene& scene)
+    : scene_(to_camera_space(test::compile_text(scene.text))),
+      settings_(with_defaults(test::parse_scene(scene.text).settings())),
+      geometry_(*cpu::EmbreeScene::build(scene_, never_)) {
+  Reference reference(scene_, to_observer(settings_.observer()));
+  white_ = reference.white();
+  ReferenceSink sink(reference, settings_, truth_);
+  trace_all(pilot(), sink);
+}
+
+MeasuredScene::Rendered MeasuredScene::render(const v1::Method& method) {
+  std::vector<float> xyz(truth_.size() * 3);
+  const Film film{xyz.data(), settings_.width(), settings_.height()};
+  const auto start = std::chrono::steady_clock::now();
+  const auto prepared = make_method(plan_with(pilot(), method), scene_);
+  FilmSink sink(*prepared, film, settings_.spp());
+  trace_all(pilot(), sink);
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < truth_.size(); ++i)
+    errors.push_back(
+        delta_e_00(to_lab({xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]}, white_), truth_[i]));
+  return {seconds, summarize(std::move(errors))};
+}
+
+v1::Auto tolerance(double value) {
+  v1::Auto goal;
+  goal.set_tolerance(value);
+  return goal;
+}
+
+}  // namespace metamer::promises

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <atomic>
+#include <vector>
+
+#include "server/plan/choose.h"
+#include "tests/promises/varied_scenes.h"
+
+namespace metamer::promises {
+
+/// A scene of which the truth is known: every pixel by the reference.
+class MeasuredScene {
+ public:
+  explicit MeasuredScene(const VariedScene& scene);
+
+  PilotScene pilot() { return {scene_, geometry_, settings_, capabilities_, never_, work_}; }
+
+  /// The whole picture by a method.
+  struct Rendered {
+    double seconds;  ///< Of its tables and its pixels, on one thread.
+    v1::ColorError error;
+  };
+  Rendered render(const v1::Method& method);
+
+ private:
+  Capabilities capabilities_{.threads = 1};
+  const std::atomic<bool> never_ = false;
+  std::atomic<std::uint64_t> work_ = 0;
+  RenderScene scene_;
+  v1::Settings settings_;
+  cpu::EmbreeScene geometry_;
+  Xyz white_;
+  std::vector<Lab> truth_;
+};
+
+v1::Auto tolerance(double value);
+
+}  // namespace metamer::promises
