@@ -58,7 +58,7 @@ Answer<void> take(const v1::JobEvent& event, Wanted wanted, ProgressView& view,
     case v1::JobEvent::kProgress:
     case v1::JobEvent::kPreview:
     case v1::JobEvent::kPaused:
-    case v1::JobEvent::kRetrying:
+    case v1::JobEvent::kRetrying:  // from the start: the next plan makes a new film
     case v1::JobEvent::EVENT_NOT_SET:
       return {};
   }

@@ -80,6 +80,22 @@ bool Job::retry(const std::string& reason) {
   return true;
 }
 
+bool Job::restart(const std::string& reason, const v1::Method& better) {
+  assert(planned_);
+  if (restarted_ || !take(Step::retry)) return false;
+  restarted_ = true;
+  method_ = better;
+  log_.drop_pictures();
+  preview_ = PreviewSums(width_, height_);
+  done_.assign(grid_.size(), false);
+  tiles_done_ = 0;
+  v1::JobEvent event;
+  event.mutable_retrying()->set_reason(reason);
+  event.mutable_retrying()->set_from_start(true);
+  append(std::move(event));
+  return true;
+}
+
 bool Job::pause() {
   if (!take(Step::pause)) return false;
   v1::JobEvent event;
@@ -147,7 +163,9 @@ Result<void> Job::plan(const v1::Plan& plan) {
   if (planned_) {
     const bool same =
         plan.width() == width_ && plan.height() == height_ && plan.tile_size() == tile_size_;
-    return same ? Result<void>() : problem("another picture than the attempt before");
+    if (!same) return problem("another picture than the attempt before");
+    if (restarted_) append_planned(plan);
+    return {};
   }
 
   planned_ = true;
@@ -156,10 +174,14 @@ Result<void> Job::plan(const v1::Plan& plan) {
   tile_size_ = plan.tile_size();
   method_ = plan.method();
   grid_ = TileGrid(width_, height_, tile_size_);
+  append_planned(plan);
+  return {};
+}
+
+void Job::append_planned(const v1::Plan& plan) {
   v1::JobEvent event;
   *event.mutable_planned()->mutable_plan() = plan;
   append(std::move(event));
-  return {};
 }
 
 bool Job::make_film() {

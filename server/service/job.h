@@ -49,6 +49,8 @@ class Job {
   bool start();
   /// The worker was lost: the first time the job is queued again (true), then it has to fail.
   bool retry(const std::string& reason);
+  /// Its promise was broken: it is queued again, without its tiles, for `better`.
+  bool restart(const std::string& reason, const v1::Method& better);
   bool pause();
   bool resume(std::uint32_t ahead);
   /// `done` as the last worker gives it; what spans several attempts (queued, render, total, rays)
@@ -101,6 +103,7 @@ class Job {
   bool take(Step step);
   void append(v1::JobEvent event);
   void append_last(v1::JobEvent event);
+  void append_planned(const v1::Plan& plan);
   void append_progress();
   void wake();
   v1::JobEvent queued_event(std::uint32_t ahead) const;
@@ -115,6 +118,7 @@ class Job {
 
   std::uint32_t losses_ = 0;  // workers lost
   bool planned_ = false;
+  bool restarted_ = false;
   std::uint32_t width_ = 0;
   std::uint32_t height_ = 0;
   std::uint32_t tile_size_ = 0;

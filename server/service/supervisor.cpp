@@ -330,6 +330,10 @@ void Supervisor::on_done(v1::JobDone done) {
   }
   // A large picture goes out in several batches of tiles.
   if (send_next_tiles()) return;
+  if (done.has_better() && job_->restart("the promise was broken", done.better())) {
+    queue_.put_first(job_);
+    return job_is_over();
+  }
   job_->finish(std::move(done));
   job_is_over();
 }

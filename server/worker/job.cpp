@@ -183,8 +183,7 @@ void Job::render(const v1::RenderTiles& message) {
                      static_cast<double>(std::max<std::uint64_t>(ticks_, 1)));
   v1::WorkerEnvelope done = envelope();
   *done.mutable_done()->mutable_timing() = timing_;
-  if (plan_.has_auto_() && message.last())
-    *done.mutable_done()->mutable_accuracy() = measure_promise();
+  if (plan_.has_auto_() && message.last()) measure_promise(*done.mutable_done());
   send_last(done);
 }
 
@@ -208,16 +207,16 @@ bool Job::prepare() {
   return build_geometry();
 }
 
-v1::Accuracy Job::measure_promise() {
+/// Holds the promise against pixels that had no part in the choice.
+void Job::measure_promise(v1::JobDone& done) {
   const double elapsed = seconds_since(begun_);
   const Capabilities capabilities{.threads = options_.threads};
-  v1::Accuracy accuracy;
+  v1::Accuracy& accuracy = *done.mutable_accuracy();
   *accuracy.mutable_error() =
       measure({*scene_, *geometry_, settings_, capabilities, stopped_, work_}, *method_);
-  accuracy.set_kept(plan_.auto_().has_deadline()
-                        ? elapsed <= plan_.auto_().deadline()
-                        : accuracy.error().maximum() <= plan_.auto_().tolerance());
-  return accuracy;
+  if (plan_.auto_().has_deadline()) return accuracy.set_kept(elapsed <= plan_.auto_().deadline());
+  accuracy.set_kept(accuracy.error().maximum() <= plan_.auto_().tolerance());
+  if (!accuracy.kept() && !plan_.method().has_exact()) done.mutable_better()->mutable_exact();
 }
 
 /// Lets each thread take the next tile, so that they are begun in the daemon's order. False when

@@ -59,7 +59,7 @@ class Job {
   bool make_plan(const v1::CompileJob& message);
   bool build_geometry();
   bool prepare();
-  v1::Accuracy measure_promise();
+  void measure_promise(v1::JobDone& done);
   bool send_factors(const v1::TileRect* tile, const std::string& bytes);
   bool render_tiles(const v1::RenderTiles& message, const Film& film);
 

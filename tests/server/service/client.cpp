@@ -131,23 +131,25 @@ std::vector<std::string> Client::upload(const std::vector<std::string>& assets) 
   return digests;
 }
 
-std::uint64_t Client::submit(const std::string& scene, bool check_only) {
+std::uint64_t Client::submit(const std::string& scene, bool check_only, bool keep_factors) {
   v1::Envelope message;
   message.mutable_submit()->set_name("scene");
   message.mutable_submit()->set_scene_sha256(upload({scene})[0]);
   message.mutable_submit()->set_check_only(check_only);
+  message.mutable_submit()->set_keep_factors(keep_factors);
   const v1::Envelope answer = ask(message);
   EXPECT_TRUE(answer.has_submitted()) << answer.ShortDebugString();
   return answer.submitted().job_id();
 }
 
-void Client::watch(std::uint64_t job, std::uint64_t from, bool tiles, bool previews) {
+void Client::watch(std::uint64_t job, std::uint64_t from, bool tiles, bool previews, bool factors) {
   v1::Envelope message;
   message.set_request_id(++last_request_);
   message.mutable_watch()->set_job_id(job);
   message.mutable_watch()->set_from_sequence(from);
   message.mutable_watch()->set_tiles(tiles);
   message.mutable_watch()->set_previews(previews);
+  message.mutable_watch()->set_factors(factors);
   send(message);
 }
 

@@ -38,8 +38,10 @@ class Client {
   /// Sends what is missing of these, in small pieces; gives the digests, 32 bytes each.
   std::vector<std::string> upload(const std::vector<std::string>& assets);
   /// A job whose scene is this text.
-  std::uint64_t submit(const std::string& scene, bool check_only = false);
-  void watch(std::uint64_t job, std::uint64_t from = 0, bool tiles = true, bool previews = false);
+  std::uint64_t submit(const std::string& scene, bool check_only = false,
+                       bool keep_factors = false);
+  void watch(std::uint64_t job, std::uint64_t from = 0, bool tiles = true, bool previews = false,
+             bool factors = false);
   v1::JobSummary summary(std::uint64_t job);
   void ping();
 

@@ -11,6 +11,10 @@
 //   early              say JobDone before the last tile
 //   shrink             truncate the shared memory before the first TileDone
 //   fail               answer Failed BAD_INPUT
+//   broken             say that the promise is broken and that `exact` is better, which is the
+//   plan's
+//                      method once it is asked for
+//   factors N          send N bytes of factors for the scene, and N for each tile
 //   once               the trouble above comes in the first attempt only
 // A pixel of the picture is (x, y, 1). A file beside the store can spoil the start: `no-start`
 // makes it exit with code 3, `never-ready` keeps it from saying that it is ready.
@@ -21,6 +25,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <cstring>
@@ -76,7 +81,7 @@ Script parse(const std::string& text) {
     if (word == "picture") {
       words >> script.width >> script.height >> script.tile;
     } else if (word == "gate" || word == "crash" || word == "exit" || word == "hang" ||
-               word == "stall" || word == "garbage") {
+               word == "stall" || word == "garbage" || word == "factors") {
       words >> script.at[word];
     } else {
       script.at[word] = 0;
@@ -115,9 +120,12 @@ class Job {
     std::ofstream(mark).put('x');
   }
 
-  void plan() {
+  void plan(const v1::CompileJob& request) {
+    if (request.keep_factors()) send_factors(nullptr);
     v1::WorkerEnvelope message;
     message.set_job_id(id_);
+    keep_factors_ = request.keep_factors();
+    chosen_ = request.chosen();
     if (script_.has("fail")) {
       message.mutable_failed()->set_kind(v1::Failed::BAD_INPUT);
       message.mutable_failed()->set_reason("the script says so");
@@ -127,6 +135,7 @@ class Job {
       plan.set_width(script_.width);
       plan.set_height(script_.height);
       plan.set_tile_size(script_.tile);
+      *plan.mutable_method() = chosen_;
     }
     send(message);
   }
@@ -153,6 +162,8 @@ class Job {
       message.mutable_stopped();
     } else {
       message.mutable_done()->mutable_timing()->set_compile(0.25);
+      if (script_.has("broken") && !chosen_.has_exact())
+        message.mutable_done()->mutable_better()->mutable_exact();
     }
     send(message);
   }
@@ -231,7 +242,21 @@ class Job {
     }
   }
 
+  /// In pieces of 100 bytes, "fff…".
+  void send_factors(const v1::TileRect* tile) const {
+    for (std::uint32_t left = script_.at.at("factors"); left > 0;) {
+      const std::uint32_t size = std::min(left, 100u);
+      v1::WorkerEnvelope message;
+      message.set_job_id(id_);
+      if (tile) *message.mutable_factors_piece()->mutable_tile() = *tile;
+      message.mutable_factors_piece()->set_data(std::string(size, 'f'));
+      send(message);
+      left -= size;
+    }
+  }
+
   void tile_done(const v1::TileRect& tile) {
+    if (keep_factors_) send_factors(&tile);
     ++done_;
     ++heart.work;
     v1::WorkerEnvelope message;
@@ -245,6 +270,8 @@ class Job {
   Script script_;
   fs::path store_;
   bool first_attempt_ = true;
+  bool keep_factors_ = false;
+  v1::Method chosen_;
   std::uint32_t done_ = 0;  // tiles, in this attempt
   bool stopped_ = false;
 };
@@ -270,7 +297,7 @@ int run(const fs::path& store) {
     if ((*message)->has_compile_job()) {
       const std::string scene = (*message)->compile_job().scene_sha256();
       job.emplace((*message)->job_id(), parse(read_file(store / hex(scene))), store);
-      job->plan();
+      job->plan((*message)->compile_job());
     } else if ((*message)->has_render_tiles() && job) {
       job->render((*message)->render_tiles());
     }

@@ -107,6 +107,59 @@ TEST(JobFlow, CheckOnlyEndsWithThePlan) {
   EXPECT_TRUE(client.receive_event().has_finished());
 }
 
+TEST(JobFlow, ABrokenPromiseBeginsAgainWithTheBetterMethodAndWithoutTheTiles) {
+  Daemon daemon;
+  Client client(daemon.socket());
+  client.hello();
+  client.watch(client.submit("picture 32 16 16 broken"));
+  const auto again = client.receive_event_until([](auto& event) { return event.has_retrying(); });
+  EXPECT_TRUE(again.retrying().from_start());
+  const auto plan = client.receive_event_until([](auto& event) { return event.has_planned(); });
+  EXPECT_TRUE(plan.planned().plan().method().has_exact());
+  Picture picture(32 * 16);
+  client.receive_event_until([&](auto& event) {
+    if (event.has_tile()) picture.add(event.tile(), 32);
+    return event.has_finished();
+  });
+  picture.expect_painted(32);
+
+  // Who comes late sees the second picture only.
+  client.watch(1);
+  int tiles = 0;
+  client.receive_event_until([&](auto& event) {
+    tiles += event.has_tile();
+    return event.has_finished();
+  });
+  EXPECT_EQ(tiles, 2);
+}
+
+TEST(JobFlow, FactorsComeWithTheTilesToWhoAsksForThem) {
+  Daemon daemon;
+  Client client(daemon.socket());
+  client.hello();
+  const std::uint64_t job = client.submit("picture 32 16 16 factors 250", false, true);
+  for (const bool wanted : {true, false}) {
+    client.watch(job, 0, true, false, wanted);
+    const std::string expected(wanted ? 250 : 0, 'f');
+    const auto plan = client.receive_event_until([](auto& event) { return event.has_planned(); });
+    EXPECT_EQ(plan.planned().factors(), expected);
+    client.receive_event_until([&](auto& event) {
+      if (event.has_tile()) EXPECT_EQ(event.tile().factors(), expected);
+      return event.has_finished();
+    });
+  }
+}
+
+TEST(JobFlow, MoreFactorsThanATileMayHaveFailTheJob) {
+  Daemon daemon;
+  Client client(daemon.socket());
+  client.hello();
+  client.watch(client.submit("picture 32 16 16 factors 4000000", false, true));
+  const auto failed = client.receive_event_until([](auto& event) { return event.has_failed(); });
+  EXPECT_NE(failed.failed().reason().find("more factors than a tile may have"), std::string::npos)
+      << failed.failed().reason();
+}
+
 TEST(JobFlow, CancelTakesEffectAtOnceAndTheNextJobRenders) {
   Daemon daemon;
   Client client(daemon.socket());

@@ -1,0 +1,140 @@
+// A relit picture is a rendered one: over mirrors and Fresnel terms, with other light, paint,
+// observer.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "common/image/image.h"
+#include "daemon.h"
+
+namespace metamer::test {
+namespace {
+
+/// A paint and a metal ball on a varnished floor that mirrors them; `paint` and the lights' spectra
+/// are put in.
+std::string scene_text(const std::string& paint, const std::string& light) {
+  return R"(
+    camera { eye { y: 1.5 z: 4 } target { y: 0.4 } }
+    settings { width: 48 height: 40 spp: 4 depth: 3 method { exact {} } }
+    light { name: "key" position { x: -2 y: 4 z: 3 } luminance: 0.7 spectrum { )" +
+         light + R"( } }
+    light { name: "fill" direction { x: -1 y: -1 z: -1 } luminance: 0.2 spectrum { standard: "A" } }
+    material {
+      name: "paint" specularness: 0.3 phong { shininess: 40 }
+      diffuse { )" +
+         paint + R"( }
+    }
+    material {
+      name: "gold" diffuseness: 0 specularness: 0.5 mirror: 0.6 cook_torrance {}
+      fresnel { conductor { metal: "Au" } }
+    }
+    material {
+      name: "floor" mirror: 0.5 diffuse { samples { wavelength: [400, 700] value: [0.2, 0.6] } }
+      specular { constant: 0.05 } specularness: 0.1 hall_greenberg {} fresnel { schlick {} }
+    }
+    object { name: "a" material: "paint" sphere { center { x: -0.6 y: 0.5 } radius: 0.5 } }
+    object { name: "b" material: "gold" sphere { center { x: 0.6 y: 0.5 } radius: 0.5 } }
+    object { name: "c" material: "floor" quad { corner { x: -3 z: 3 } u { x: 6 } v { z: -6 } } }
+  )";
+}
+
+const char* const red = "samples { wavelength: [400, 580, 620, 700] value: [0.05, 0.1, 0.7, 0.8] }";
+
+class Relit : public testing::Test {
+ protected:
+  /// X Y Z of what `metamer` with these words writes.
+  Image picture(std::vector<std::string> words) {
+    const std::string file = folder / "picture.exr";
+    words.insert(words.end(), {"--exr", "xyz", "-o", file});
+    const Ended ended = words[0] == "relight" ? metamer(words) : daemon.metamer(words);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    auto image = read_image(file);
+    EXPECT_TRUE(image) << image.error().message;
+    return std::move(*image);
+  }
+
+  std::string keep() {
+    const std::string scene = folder.write("scene.txtpb", scene_text(red, "standard: \"D65\""));
+    const std::string file = folder / "kept.factors";
+    picture({"render", scene, "--keep-factors=" + file});
+    return file;
+  }
+
+  void expect_same(const Image& relit, const Image& rendered) {
+    ASSERT_EQ(relit.pixels.size(), rendered.pixels.size());
+    double brightest = 0;
+    for (std::size_t i = 0; i < rendered.pixels.size(); ++i) {
+      const double value = rendered.pixels[i];
+      brightest = std::max(brightest, value);
+      EXPECT_NEAR(relit.pixels[i], value, 2e-6 * std::max(1.0, std::abs(value))) << i;
+    }
+    EXPECT_GT(brightest, 0.1);
+  }
+
+  Daemon daemon;
+  Folder folder;
+};
+
+TEST_F(Relit, WithNothingChangedIsThePictureThatWasRendered) {
+  const std::string factors = keep();
+  expect_same(picture({"relight", factors}), picture({"render", folder / "scene.txtpb"}));
+}
+
+TEST_F(Relit, ByAnotherLightIsThePictureRenderedByIt) {
+  const std::string factors = keep();
+  const std::string scene = folder.write("f11.txtpb", scene_text(red, "standard: \"F11\""));
+  expect_same(picture({"relight", factors, "--light", "key=F11"}), picture({"render", scene}));
+}
+
+TEST_F(Relit, WithAnotherPaintIsThePictureRenderedWithIt) {
+  const std::string factors = keep();
+  const std::string blue = folder.write("blue.txt", "400 0.8\n500 0.5\n600 0.1\n700 0.05\n");
+  const std::string scene = folder.write(
+      "blue.txtpb",
+      scene_text("samples { wavelength: [400, 500, 600, 700] value: [0.8, 0.5, 0.1, 0.05] }",
+                 "standard: \"D65\""));
+  expect_same(picture({"relight", factors, "--material", "paint=" + blue}),
+              picture({"render", scene}));
+}
+
+TEST_F(Relit, ForAnotherObserverIsThePictureRenderedForIt) {
+  const std::string factors = keep();
+  expect_same(picture({"relight", factors, "--observer", "cie-1964-10deg"}),
+              picture({"render", folder / "scene.txtpb", "--observer", "cie-1964-10deg"}));
+}
+
+TEST_F(Relit, FromAFetchedJobIsTheSame) {
+  const std::string scene = folder.write("scene.txtpb", scene_text(red, "standard: \"D65\""));
+  const Ended submitted = daemon.metamer({"submit", scene, "--keep-factors"});
+  ASSERT_EQ(submitted.code, 0) << submitted.err;
+  const std::string factors = folder / "fetched.factors";
+  const Image fetched = picture({"fetch", "1", "--keep-factors=" + factors});
+  expect_same(picture({"relight", factors}), fetched);
+}
+
+TEST_F(Relit, SaysWhatItDoesNotKnow) {
+  const std::string factors = keep();
+  const auto refused = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"relight", factors, "-o", folder / "x.png"});
+    const Ended ended = metamer(words);
+    EXPECT_EQ(ended.code, 2) << ended.err;
+    return ended.err;
+  };
+  EXPECT_NE(refused({"--light", "kez=F11"}).find("did you mean \"key\""), std::string::npos);
+  EXPECT_NE(refused({"--material", "pain=TCS09"}).find("did you mean \"paint\""),
+            std::string::npos);
+  EXPECT_NE(refused({"--light", "key=F99"}).find("F99"), std::string::npos);
+  const std::string bright = folder.write("bright.txt", "400 0.8\n500 1.5\n");
+  EXPECT_NE(refused({"--material", "paint=" + bright}).find("1.5 at 500 nm"), std::string::npos);
+}
+
+TEST_F(Relit, NeedsFactors) {
+  const std::string scene = folder.write("scene.txtpb", scene_text(red, "standard: \"D65\""));
+  ASSERT_EQ(daemon.metamer({"submit", scene}).code, 0);
+  const Ended ended = daemon.metamer({"fetch", "1", "-o", folder / "x.png", "--keep-factors"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_NE(ended.err.find("submit it with --keep-factors"), std::string::npos) << ended.err;
+}
+
+}  // namespace
+}  // namespace metamer::test
