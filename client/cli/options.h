@@ -16,9 +16,10 @@ struct CommonOptions {
 
 /// What the command line says instead of the scene's own settings, as written.
 struct Overrides {
-  std::optional<std::string> method;       ///< "point", "rgb", "exact"
+  std::optional<std::string> method;       ///< A name in v1::Method: "point", "rgb".
   std::optional<std::string> samples;      ///< "400:700:5"
   std::optional<std::string> wavelengths;  ///< "400,436,546,700"
+  std::optional<std::uint32_t> fitted;     ///< Of point: so many wavelengths for the scene.
   std::optional<std::string> size;         ///< "640x480"
   std::optional<std::string> observer;     ///< "cie-1931-2deg", "cie-1964-10deg"
   std::optional<std::string> shading;      ///< "phong", "constant", "gouraud", "quadratic"

@@ -43,11 +43,13 @@ std::optional<std::vector<T>> parse_numbers(std::string_view text, char separato
 
 Result<void> apply_method(const Overrides& overrides, v1::Settings& settings,
                           std::vector<Replaced>& replaced) {
-  const bool positions = overrides.samples || overrides.wavelengths;
+  const bool positions = overrides.samples || overrides.wavelengths || overrides.fitted;
   if (overrides.bases && (positions || overrides.method.value_or("linear") != "linear"))
     return problem("--bases is for --method linear");
   if (overrides.samples && overrides.wavelengths)
     return problem("--samples and --wavelengths exclude each other");
+  if (overrides.fitted && (overrides.samples || overrides.wavelengths))
+    return problem("--fitted excludes --samples and --wavelengths");
 
   // Choose the method; positions ask for point sampling by themselves.
   if (overrides.method) {
@@ -89,6 +91,12 @@ Result<void> apply_method(const Overrides& overrides, v1::Settings& settings,
     point->Clear();
     for (const double nm : *numbers) point->add_wavelengths(nm);
     replaced.push_back({"settings.method", "--wavelengths"});
+  }
+  if (overrides.fitted) {
+    v1::Point* point = settings.mutable_method()->mutable_point();
+    point->Clear();
+    point->set_fitted(*overrides.fitted);
+    replaced.push_back({"settings.method", "--fitted"});
   }
   return {};
 }

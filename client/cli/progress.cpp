@@ -53,7 +53,10 @@ std::string describe(const v1::Plan& plan) {
   text += counted(plan.spp(), "sample", "samples") + " per pixel, ";
   switch (plan.method().method_case()) {
     case v1::Method::kPoint:
-      text += "point at " + counted(plan.bands(), "wavelength", "wavelengths") +
+      text += "point at " +
+              (plan.method().point().has_fitted()
+                   ? counted(plan.bands(), "fitted wavelength", "fitted wavelengths")
+                   : counted(plan.bands(), "wavelength", "wavelengths")) +
               print(" from %g to %g nm, ", plan.from(), plan.to());
       break;
     case v1::Method::kRgb:
@@ -67,6 +70,8 @@ std::string describe(const v1::Plan& plan) {
       text += "exact with " + counted(plan.signatures(), "signature", "signatures") + ", ";
       break;
     case v1::Method::kPrefilter:
+      text += "prefilter, ";
+      break;
     case v1::Method::kAuto:
     case v1::Method::METHOD_NOT_SET:
       break;

@@ -33,9 +33,10 @@ void add_overrides(CLI::App& command, Overrides& options) {
   const auto add = [&](const char* name, auto& value, const char* meaning) {
     return command.add_option(name, value, meaning)->group(group);
   };
-  add("--method", options.method, "how colour is carried: point, linear, exact or rgb");
+  add("--method", options.method, "how colour is carried: point, linear, exact, prefilter, rgb or auto");
   add("--samples", options.samples, "point at FROM:TO:STEP nm, such as 400:700:5");
   add("--wavelengths", options.wavelengths, "point at these nm, such as 400,436,546,700");
+  add("--fitted", options.fitted, "point at so many nm, 1 to 64, that are chosen for the scene");
   add("--bases", options.bases, "linear with so many basis functions, 1 to 16");
   add("--tolerance", options.tolerance,
       "auto: the cheapest method whose ΔE00 against the 1 nm reference stays below this");

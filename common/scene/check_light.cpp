@@ -1,6 +1,7 @@
 #include <numbers>
 
 #include "common/scene/check_spectrum.h"
+#include "common/scene/limits.h"
 #include "common/scene/parts.h"
 #include "common/scene/vectors.h"
 
@@ -30,6 +31,9 @@ void check_light(const v1::Light& light, const std::string& field, Findings& fin
   if (light.luminance() < 0) {
     findings.add(field + ".luminance",
                  "luminance must not be negative (it is " + number_text(light.luminance()) + ")");
+  } else if (light.luminance() != 0) {
+    check_range(light.luminance(), limits::min_luminance, limits::max_luminance,
+                field + ".luminance", findings);
   }
 
   if (light.has_solid_angle()) {

@@ -31,7 +31,11 @@ void check_uniform(const v1::Point& point, const std::string& field, Findings& f
 void check_point(const v1::Point& point, const std::string& field, Findings& findings) {
   const bool uniform = point.has_from() || point.has_to() || point.has_step();
   const bool listed = !point.wavelengths().empty();
-  if (uniform && listed) {
+  if (point.has_fitted()) {
+    if (uniform || listed)
+      return findings.add(field, "fitted excludes from, to, step and wavelengths");
+    check_range(point.fitted(), 1, limits::max_fitted, field + ".fitted", findings);
+  } else if (uniform && listed) {
     findings.add(field, "point takes either from, to and step or wavelengths, not both");
   } else if (uniform) {
     check_uniform(point, field, findings);

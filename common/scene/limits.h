@@ -11,9 +11,12 @@ inline constexpr std::uint64_t max_pixels = 64u << 20;  ///< 768 MiB of XYZ in t
 inline constexpr std::uint32_t max_spp = 1024;          ///< A minute a tile is not a preview.
 inline constexpr std::uint32_t max_depth = 32;          ///< 0.9³² = 3 %: nothing more to see.
 inline constexpr std::uint32_t max_threads = 256;
-inline constexpr std::uint32_t max_bases = 16;  ///< Beyond, point sampling is cheaper and exact.
-inline constexpr std::uint32_t max_tile = 256;  ///< 768 KiB of XYZ: one frame.
-inline constexpr std::size_t max_lights = 256;  ///< Each costs a shadow ray per sample.
+inline constexpr std::uint32_t max_bases = 16;   ///< Beyond, point sampling is cheaper and exact.
+inline constexpr std::uint32_t max_fitted = 64;  ///< Beyond, uniform wavelengths do as well.
+inline constexpr std::uint32_t max_tile = 256;   ///< 768 KiB of XYZ: one frame.
+inline constexpr std::size_t max_lights = 256;   ///< Each costs a shadow ray per sample.
+inline constexpr double min_luminance = 1e-30;   ///< Products with it are still whole in f32,
+inline constexpr double max_luminance = 1e30;    ///< and these finite.
 inline constexpr std::size_t max_materials = 4096;  ///< × 2 spectra × 4,001 × 4 B = 131 MB.
 inline constexpr std::size_t max_objects = 100'000;
 inline constexpr std::size_t max_name = 200;          ///< Characters; they are for people.

@@ -17,7 +17,7 @@ v1::Settings with_defaults(const v1::Settings& settings) {
   if (method.has_point()) {
     v1::Point& point = *method.mutable_point();
     const bool uniform = point.has_from() || point.has_to() || point.has_step();
-    if (!uniform && point.wavelengths().empty()) {
+    if (!uniform && point.wavelengths().empty() && !point.has_fitted()) {
       point.set_from(400);
       point.set_to(700);
       point.set_step(5);

@@ -6,58 +6,17 @@
 #include "common/scene/settings.h"
 #include "server/methods/banded.h"
 #include "server/methods/exact.h"
-#include "common/scene/fresnel_table.h"
+#include "server/methods/scene_spectra.h"
 
 namespace metamer {
 namespace {
 
-Eigen::VectorXd to_vector(const std::vector<double>& values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
-std::vector<double> to_list(const Eigen::VectorXd& vector) {
-  return {vector.data(), vector.data() + vector.size()};
-}
-
-/// The scene's lights with their luminance, E[3.2-4], a column each.
-Eigen::MatrixXd light_columns(const RenderScene& scene, const ObserverWeights& observer,
-                              const Wavelengths& wavelengths) {
-  Eigen::MatrixXd lights(static_cast<Eigen::Index>(wavelengths.size()),
-                         static_cast<Eigen::Index>(scene.lights.size()));
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const RenderLight& light = scene.lights[i];
-    const auto power =
-        resample(scene.emissions[light.emission], wavelengths.nm(), Outside::zero).values;
-    lights.col(static_cast<Eigen::Index>(i)) =
-        luminance_scale(observer, power, light.luminance) * to_vector(power);
-  }
-  return lights;
-}
-
-/// What a surface of the scene may multiply light by; of a Fresnel term, at three angles.
-Eigen::MatrixXd surface_columns(const RenderScene& scene, const Wavelengths& wavelengths) {
-  std::vector<Eigen::VectorXd> columns;
-  for (const Spectrum& property : scene.properties)
-    columns.push_back(to_vector(resample(property, wavelengths.nm(), Outside::hold).values));
-  for (const OpticalConstants& constants : scene.constants) {
-    const ConstantsAt at = resample(constants, wavelengths.nm());
-    for (const double cosine : {1.0, 0.4, 0.1})
-      columns.push_back(to_vector(fresnel_at(at, cosine)));
-  }
-  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(wavelengths.size()),
-                         static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    matrix.col(static_cast<Eigen::Index>(i)) = columns[i];
-  return matrix;
-}
-
-/// Each column of `light` by itself and multiplied by each of `surfaces`.
-Eigen::MatrixXd with_products(const Eigen::MatrixXd& light, const Eigen::MatrixXd& surfaces) {
-  Eigen::MatrixXd all(light.rows(), light.cols() * (1 + surfaces.cols()));
-  all.leftCols(light.cols()) = light;
-  for (Eigen::Index s = 0; s < surfaces.cols(); ++s)
-    all.middleCols((1 + s) * light.cols(), light.cols()) = surfaces.col(s).asDiagonal() * light;
-  return all;
+/// A Aᵀ.
+Eigen::MatrixXd products(const Eigen::MatrixXd& columns) {
+  Eigen::MatrixXd square = Eigen::MatrixXd::Zero(columns.rows(), columns.rows());
+  square.selfadjointView<Eigen::Lower>().rankUpdate(columns);
+  square.triangularView<Eigen::StrictlyUpper>() = square.transpose();
+  return square;
 }
 
 /// Carriers are coefficients, padded; `stride` of them.
@@ -141,9 +100,14 @@ class LinearMethod : public Method {
 LinearBasis scene_basis(const v1::Linear& method, cie::Observer choice, const RenderScene& scene) {
   const Wavelengths wavelengths = exact_wavelengths();
   const ObserverWeights observer = observer_weights(choice, wavelengths);
-  const Eigen::MatrixXd surfaces = surface_columns(scene, wavelengths);
-  Eigen::MatrixXd spectra = with_products(light_columns(scene, observer, wavelengths), surfaces);
-  if (method.bounce()) spectra = with_products(spectra, surfaces);
+
+  // The inner product of what is light over surface is the product of both: however many lights and
+  // surfaces there are, the matrix has a row and a column a wavelength.
+  Eigen::MatrixXd surfaces = products(surface_columns(scene, wavelengths));
+  surfaces.array() += 1;  // a light by itself, over white
+  Eigen::MatrixXd gram =
+      products(light_columns(scene, observer, wavelengths)).cwiseProduct(surfaces);
+  if (method.bounce()) gram.array() *= surfaces.array();
 
   Eigen::VectorXd inner = to_vector(wavelengths.widths());
   if (method.weighting() == v1::Linear::OBSERVER)
@@ -156,7 +120,7 @@ LinearBasis scene_basis(const v1::Linear& method, cie::Observer choice, const Re
       }
       inner[i] *= std::sqrt(squares);
     }
-  return make_basis(spectra, inner, method.bases());
+  return make_basis_of_products(gram, inner, method.bases());
 }
 
 std::unique_ptr<Method> make_linear(const v1::Plan& plan, const RenderScene& scene) {

@@ -25,4 +25,9 @@ struct LinearBasis {
 LinearBasis make_basis(const Eigen::MatrixXd& spectra, const Eigen::VectorXd& inner,
                        Eigen::Index count);
 
+/// The same from Σ Φ Φᵀ over all spectra Φ, a row and a column a wavelength: as cheap however many
+/// they are. Singular values below 3e-7 of the largest are lost; f32 would not show them.
+LinearBasis make_basis_of_products(const Eigen::MatrixXd& products, const Eigen::VectorXd& inner,
+                                   Eigen::Index count);
+
 }  // namespace metamer

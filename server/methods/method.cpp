@@ -6,8 +6,10 @@
 #include "common/color/xyz.h"
 #include "common/scene/settings.h"
 #include "server/methods/exact.h"
+#include "server/methods/fitted.h"
 #include "server/methods/linear.h"
 #include "server/methods/point.h"
+#include "server/methods/prefilter.h"
 #include "server/methods/rgb.h"
 
 namespace metamer {
@@ -15,7 +17,8 @@ namespace metamer {
 std::unique_ptr<Method> make_method(const v1::Plan& plan, const RenderScene& scene) {
   switch (plan.method().method_case()) {
     case v1::Method::kPoint:
-      return make_point(plan, scene);
+      return plan.method().point().has_fitted() ? make_fitted(plan, scene)
+                                                : make_point(plan, scene);
     case v1::Method::kRgb:
       return make_rgb(plan, scene);
     case v1::Method::kExact:
@@ -23,6 +26,7 @@ std::unique_ptr<Method> make_method(const v1::Plan& plan, const RenderScene& sce
     case v1::Method::kLinear:
       return make_linear(plan, scene);
     case v1::Method::kPrefilter:
+      return make_prefilter(plan, scene);
     case v1::Method::kAuto:
     case v1::Method::METHOD_NOT_SET:
       break;
@@ -34,12 +38,12 @@ std::unique_ptr<Method> make_method(const v1::Plan& plan, const RenderScene& sce
 Wavelengths method_wavelengths(const v1::Method& method) {
   switch (method.method_case()) {
     case v1::Method::kPoint:
-      return *point_wavelengths(method.point());
+      return method.point().has_fitted() ? exact_wavelengths() : *point_wavelengths(method.point());
     case v1::Method::kExact:
     case v1::Method::kLinear:
+    case v1::Method::kPrefilter:
       return exact_wavelengths();
     case v1::Method::kRgb:
-    case v1::Method::kPrefilter:
     case v1::Method::kAuto:
     case v1::Method::METHOD_NOT_SET:
       break;
@@ -49,7 +53,8 @@ Wavelengths method_wavelengths(const v1::Method& method) {
 
 std::size_t method_bands(const v1::Method& method) {
   if (method.has_linear()) return method.linear().bases();
-  return method.has_point() ? method_wavelengths(method).size() : 3;
+  if (!method.has_point()) return 3;
+  return method.point().has_fitted() ? method.point().fitted() : method_wavelengths(method).size();
 }
 
 void notice_dark_lights(const RenderScene& scene, const v1::Settings& settings,

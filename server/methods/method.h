@@ -30,10 +30,11 @@ class Method {
 
 std::unique_ptr<Method> make_method(const v1::Plan& plan, const RenderScene& scene);
 
-/// The wavelengths at which a method reads the spectra, its defaults filled in.
+/// The wavelengths at which a method reads the spectra, its defaults filled in; where it is made
+/// for the scene, those at which it learns.
 Wavelengths method_wavelengths(const v1::Method& method);
 
-/// The values that its carrier holds.
+/// The values that its carrier holds, at the most.
 std::size_t method_bands(const v1::Method& method);
 
 /// Adds a notice for each light of which the observer sees nothing at these wavelengths: it has

@@ -1,5 +1,7 @@
 #include "server/methods/rgb.h"
 
+#include <numeric>
+
 #include "common/color/srgb.h"
 #include "common/color/xyz.h"
 #include "common/scene/settings.h"
@@ -18,15 +20,24 @@ std::vector<double> light_rgb(const ObserverWeights& observer, const Spectrum& e
   return {rgb.begin(), rgb.end()};
 }
 
-/// Linear sRGB, under D65 of luminance 1, of a surface that reflects so much at each of `nm`.
-std::vector<double> surface_rgb(const ObserverWeights& observer, std::vector<double> reflected,
-                                const std::vector<double>& nm) {
+/// What turns a reflectance into linear sRGB under D65: a list of weights for each of R, G and B.
+/// Those of each sum to 1, so that grey is grey: the tables' D65 and that of sRGB differ in the
+/// fourth digit.
+std::array<std::vector<double>, 3> surface_weights(const ObserverWeights& observer,
+                                                   const std::vector<double>& nm) {
   const auto d65 = resample(*cie::illuminant("D65"), nm, Outside::zero).values;
-  for (std::size_t i = 0; i < nm.size(); ++i) reflected[i] *= d65[i];
-  const double scale = luminance_scale(observer, d65, 1);
-  const Xyz xyz = to_xyz(observer, reflected);
-  const srgb::Rgb rgb = srgb::from_xyz({scale * xyz[0], scale * xyz[1], scale * xyz[2]});
-  return {rgb.begin(), rgb.end()};
+  std::array<std::vector<double>, 3> weights;
+  for (std::vector<double>& own : weights) own.resize(nm.size());
+  for (std::size_t i = 0; i < nm.size(); ++i) {
+    const auto& [x, y, z] = observer.weights;
+    const srgb::Rgb rgb = srgb::from_xyz({d65[i] * x[i], d65[i] * y[i], d65[i] * z[i]});
+    for (std::size_t channel = 0; channel < 3; ++channel) weights[channel][i] = rgb[channel];
+  }
+  for (std::vector<double>& own : weights) {
+    const double sum = std::accumulate(own.begin(), own.end(), 0.0);
+    for (double& value : own) value /= sum;
+  }
+  return weights;
 }
 
 }  // namespace
@@ -44,11 +55,12 @@ std::unique_ptr<Method> make_rgb(const v1::Plan& plan, const RenderScene& scene)
 
   SceneRows rows(scene);
   BandTable values(rows.size(), 3);
-  rows.for_each(scene, wavelengths.nm(), [&](std::uint32_t row, std::vector<double> at) {
-    // White is what it is: the tables' D65 and that of sRGB differ in the fourth digit.
-    values.set(row, row == SceneRows::white
-                        ? std::vector<double>{1, 1, 1}
-                        : surface_rgb(observer, std::move(at), wavelengths.nm()));
+  const auto weights = surface_weights(observer, wavelengths.nm());
+  rows.for_each(scene, wavelengths.nm(), [&](std::uint32_t row, const std::vector<double>& at) {
+    std::vector<double> color;
+    for (const std::vector<double>& own : weights)
+      color.push_back(std::inner_product(own.begin(), own.end(), at.begin(), 0.0));
+    values.set(row, color);
   });
 
   BandTable xyz(3, 3);

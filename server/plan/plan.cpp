@@ -4,10 +4,10 @@
 #include <set>
 
 #include "common/scene/settings.h"
-#include "server/methods/exact.h"
-#include "server/methods/linear.h"
 #include "server/methods/method.h"
+#include "server/plan/missed_light.h"
 #include "server/plan/needs.h"
+#include "server/plan/plan_method.h"
 
 namespace metamer {
 namespace {
@@ -43,23 +43,6 @@ void notice_gaps(const Spectrum& spectrum, const std::string& field, Outside out
   };
   say(resampled.below, "below", spectrum.nm.front());
   say(resampled.above, "above", spectrum.nm.back());
-}
-
-/// Says how good the basis is, and where it has fewer functions than were asked for.
-void plan_basis(const RenderScene& scene, const v1::Settings& settings, v1::Plan& plan) {
-  const v1::Linear& linear = settings.method().linear();
-  const LinearBasis basis = scene_basis(linear, to_observer(settings.observer()), scene);
-  plan.set_condition(basis.condition);
-  plan.set_residual(basis.residual);
-  for (Eigen::Index i = 0; i < std::min<Eigen::Index>(16, basis.singular_values.size()); ++i)
-    plan.add_singular_value(basis.singular_values[i]);
-  const auto found = static_cast<std::uint32_t>(basis.functions.cols());
-  if (found == linear.bases()) return;
-  plan.set_bands(found);
-  v1::Notice* notice = plan.add_notice();
-  notice->set_field("settings.method.linear.bases");
-  notice->set_message("the scene's spectra span no more than " + std::to_string(found) +
-                      (found == 1 ? " function" : " functions"));
 }
 
 /// The objects of which one thing is said, told once however many they are.
@@ -112,8 +95,7 @@ void notice_objects(const RenderScene& scene, v1::Plan& plan) {
 /// Says where uniform wavelengths do not come to the end that was asked for.
 void notice_short_end(const v1::Method& method, const Wavelengths& wavelengths, v1::Plan& plan) {
   const double last = wavelengths.nm().back();
-  if (!method.has_point() || method.point().wavelengths_size() > 0 || last == method.point().to())
-    return;
+  if (!method.has_point() || !method.point().has_to() || last == method.point().to()) return;
   char text[160];
   std::snprintf(text, sizeof text,
                 "the last wavelength is %g nm: %g nm is no whole number of steps away", last,
@@ -140,12 +122,7 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
   plan.set_observer(settings.observer());
 
   const Wavelengths wavelengths = method_wavelengths(settings.method());
-  plan.set_from(wavelengths.nm().front());
-  plan.set_to(wavelengths.nm().back());
-  plan.set_bands(static_cast<std::uint32_t>(method_bands(settings.method())));
-
-  if (settings.method().has_exact()) plan.set_signatures(direct_signatures(scene));
-  if (settings.method().has_linear()) plan_basis(scene, settings, plan);
+  plan_method(scene, settings, plan);
 
   list_models(scene, plan);
   plan.set_lights(static_cast<std::uint32_t>(scene.lights.size()));
@@ -165,6 +142,7 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
   }
   notice_objects(scene, plan);
   notice_short_end(settings.method(), wavelengths, plan);
+  notice_missed_light(scene, settings, wavelengths, plan);
   notice_dark_lights(scene, settings, wavelengths, plan);
   list_needs(scene, plan);
   return plan;

@@ -68,6 +68,18 @@ TEST(Overrides, PositionsAskForPointSamplingAndReplaceAllOthers) {
   EXPECT_EQ(rgb.settings().method().point().wavelengths(1), 436);
 }
 
+TEST(Overrides, FittedAsksForPointSamplingAndReplacesAllPositions) {
+  v1::Scene scene = scene_from("settings { method { point { wavelengths: [400, 500] } } }");
+  Overrides overrides;
+  overrides.fitted = 8;
+  const auto replaced = apply(overrides, scene);
+  ASSERT_TRUE(replaced);
+  EXPECT_EQ(scene.settings().method().point().ShortDebugString(), "fitted: 8");
+  EXPECT_EQ(option_of(*replaced, "settings.method.point.fitted"), "--fitted");
+  overrides.samples = "400:700:5";
+  EXPECT_EQ(error_of(overrides), "--fitted excludes --samples and --wavelengths");
+}
+
 TEST(Overrides, MethodPointKeepsTheScenesPositions) {
   v1::Scene scene = scene_from("settings { method { point { wavelengths: [400, 500] } } }");
   Overrides overrides;

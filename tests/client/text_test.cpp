@@ -63,6 +63,14 @@ TEST(Plan, IsOneLine) {
   EXPECT_EQ(describe(plan),
             "640x480, 1 sample per pixel, point at 61 wavelengths from 400 to 700 nm, 2 lights, "
             "1 material, 40000 triangles, 2 threads");
+  plan.mutable_method()->mutable_point()->set_fitted(61);
+  EXPECT_EQ(describe(plan),
+            "640x480, 1 sample per pixel, point at 61 fitted wavelengths from 400 to 700 nm, 2 "
+            "lights, 1 material, 40000 triangles, 2 threads");
+  plan.mutable_method()->mutable_prefilter();
+  EXPECT_EQ(describe(plan),
+            "640x480, 1 sample per pixel, prefilter, 2 lights, 1 material, 40000 triangles, 2 "
+            "threads");
   plan.mutable_method()->mutable_rgb();
   EXPECT_EQ(describe(plan),
             "640x480, 1 sample per pixel, rgb, 2 lights, 1 material, 40000 triangles, 2 threads");

@@ -78,7 +78,7 @@ TEST_F(JsonOutput, InfoNamesModelsAndWorkers) {
   EXPECT_GT(info["ping_seconds"].get<double>(), 0);
   EXPECT_EQ(info["info"]["worker"].size(), 1u);
   EXPECT_EQ(info["info"]["capabilities"]["method"],
-            Json::array({"point", "rgb", "exact", "linear"}));
+            Json::array({"point", "rgb", "exact", "linear", "prefilter", "auto"}));
   EXPECT_EQ(info["info"]["capabilities"]["model"][0]["name"], "lambert");
 }
 

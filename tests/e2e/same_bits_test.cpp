@@ -36,7 +36,7 @@ TEST_F(SameBits, TcpDaemonUnixSocketAndPrivateDaemonGiveTheSamePicture) {
 
 TEST_F(SameBits, NeitherThreadsNorTilesShow) {
   const Daemon daemon;
-  for (const std::string method : {"point", "rgb", "exact", "linear"}) {
+  for (const std::string method : {"point", "rgb", "exact", "linear", "prefilter"}) {
     const Image one = rendered(
         {"--server", daemon.address(), "--method", method, "--threads", "1", "--tile-size", "16"});
     expect_a_picture(one);

@@ -78,6 +78,18 @@ TEST(Settings, PointTakesATripletOrAListNotBoth) {
             Strings({"settings.method.point: point needs from, to and step together"}));
 }
 
+TEST(Settings, FittedWavelengthsStandAlone) {
+  EXPECT_EQ(point("fitted: 1"), Strings());
+  EXPECT_EQ(point("fitted: 64"), Strings());
+  for (const char* other : {"step: 10", "wavelengths: 546", "from: 400 to: 700 step: 5"})
+    EXPECT_EQ(point(std::string("fitted: 8 ") + other),
+              Strings({"settings.method.point: fitted excludes from, to, step and wavelengths"}));
+  EXPECT_EQ(point("fitted: 0"),
+            Strings({"settings.method.point.fitted: fitted must lie in 1..64 (it is 0)"}));
+  EXPECT_EQ(point("fitted: 65"),
+            Strings({"settings.method.point.fitted: fitted must lie in 1..64 (it is 65)"}));
+}
+
 TEST(Settings, TripletsMustMakeSense) {
   EXPECT_EQ(point("from: 0 to: 700 step: 0"),
             Strings({"settings.method.point.from: from must lie in 1..10000 (it is 0)",

@@ -86,6 +86,12 @@ TEST(SceneValidate, Light) {
             Strings({"light[0].direction: direction must not be 0"}));
   EXPECT_EQ(findings({.light = "light { position { } spectrum { constant: 1 } luminance: -1 }"}),
             Strings({"light[0].luminance: luminance must not be negative (it is -1)"}));
+  EXPECT_EQ(findings({.light = "light { position { } spectrum { constant: 1 } luminance: 0 }"}),
+            Strings());
+  EXPECT_EQ(findings({.light = "light { position { } spectrum { constant: 1 } luminance: 1e31 }"}),
+            Strings({"light[0].luminance: luminance must lie in 1e-30..1e+30 (it is 1e+31)"}));
+  EXPECT_EQ(findings({.light = "light { position { } spectrum { constant: 1 } luminance: 1e-40 }"}),
+            Strings({"light[0].luminance: luminance must lie in 1e-30..1e+30 (it is 1e-40)"}));
   EXPECT_EQ(
       findings({.light = "light { position { } spectrum { constant: 1 } reference_distance: 0 }"}),
       Strings({"light[0].reference_distance: reference_distance must be above 0 (it is 0)"}));

@@ -10,6 +10,8 @@
 #include "common/color/xyz.h"
 #include "common/spectral/cie.h"
 #include "server/methods/linear_basis.h"
+#include "tests/server/render/methods/color_error.h"
+#include "tests/server/render/methods/methods.h"
 
 namespace metamer {
 namespace {
@@ -125,6 +127,36 @@ TEST(KnownErrors, OfTheLinearBasis) {
 TEST(KnownErrors, OfNaiveRgb) {
   for (const Known& one : known)
     expect_two_digits(of_rgb(one.illuminant), one.rgb, std::string(one.illuminant) + " by rgb");
+}
+
+// Of fitted wavelengths the independent calculation gives a worst ΔE00 with eight, for direct light
+// and over one more bounce.
+
+TEST(KnownErrors, OfEightFittedWavelengths) {
+  const std::pair<const char*, double> direct[] = {
+      {"A", 0.6}, {"D65", 0.75}, {"F2", 1.4}, {"F11", 1.0}};
+  for (const auto& [illuminant, known] : direct) {
+    const test::MethodErrors errors = test::errors_of(illuminant, test::fitted(8));
+    EXPECT_LT(errors.direct.worst, known) << illuminant;
+    EXPECT_LT(errors.bounce.worst, 1.9) << illuminant;
+  }
+}
+
+TEST(KnownErrors, EightFittedWavelengthsBeat31UniformUnderFluorescentLightAnd16Everywhere) {
+  for (const char* illuminant : {"F2", "F11"}) {
+    const test::MethodErrors fitted = test::errors_of(illuminant, test::fitted(8));
+    const test::MethodErrors uniform = test::errors_of(illuminant, test::uniform(400, 700, 10));
+    EXPECT_LT(4 * fitted.direct.worst, uniform.direct.worst) << illuminant;
+    EXPECT_LT(4 * fitted.direct.mean, uniform.direct.mean) << illuminant;
+    EXPECT_LT(2 * fitted.bounce.worst, uniform.bounce.worst) << illuminant;
+  }
+  for (const Known& one : known) {
+    const test::MethodErrors fitted = test::errors_of(one.illuminant, test::fitted(8));
+    const test::MethodErrors uniform = test::errors_of(one.illuminant, test::uniform(400, 700, 20));
+    EXPECT_LT(fitted.direct.worst, uniform.direct.worst) << one.illuminant;
+    EXPECT_LT(fitted.direct.mean, uniform.direct.mean) << one.illuminant;
+    EXPECT_LT(fitted.bounce.worst, uniform.bounce.worst) << one.illuminant;
+  }
 }
 
 }  // namespace

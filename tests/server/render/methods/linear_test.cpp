@@ -56,6 +56,26 @@ TEST(LinearBasis, ReflectsInCoefficientsAsInSpectra) {
   EXPECT_LT((seen - light.cwiseProduct(surface)).norm(), 1e-12);
 }
 
+TEST(LinearBasis, IsTheSameFromProductsAsFromSpectra) {
+  // Smooth spectra, as a scene's are: singular values from 1 down to 1e-9 of the largest.
+  Eigen::MatrixXd spectra(100, 40);
+  for (Eigen::Index i = 0; i < spectra.rows(); ++i)
+    for (Eigen::Index j = 0; j < spectra.cols(); ++j)
+      spectra(i, j) =
+          std::exp(-std::pow((double(i) - 2.5 * double(j)) / 30, 2)) + 0.1 / (1 + double(j));
+  const Eigen::VectorXd inner = Eigen::VectorXd::LinSpaced(100, 0.5, 2);
+  const LinearBasis one = make_basis(spectra, inner, 8);
+  const LinearBasis other = make_basis_of_products(spectra * spectra.transpose(), inner, 8);
+  ASSERT_EQ(other.functions.cols(), 8);
+  for (Eigen::Index i = 0; i < 8; ++i) {
+    EXPECT_NEAR(other.singular_values[i], one.singular_values[i], 1e-12 * one.singular_values[0]);
+    const double product = one.functions.col(i).cwiseProduct(inner).dot(other.functions.col(i));
+    EXPECT_NEAR(std::abs(product), 1, 1e-6) << i;
+  }
+  EXPECT_NEAR(other.condition / one.condition, 1, 1e-6);
+  EXPECT_NEAR(other.residual, one.residual, 1e-12);
+}
+
 const char* const scene_text = R"(
   camera { eye { z: 3 } target {} }
   light { name: "a" position { y: 2 } spectrum { standard: "F2" } luminance: 0.8 }

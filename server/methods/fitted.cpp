@@ -1,0 +1,225 @@
+#include "server/methods/fitted.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <algorithm>
+
+#include "common/scene/settings.h"
+#include "server/methods/banded.h"
+#include "server/methods/exact.h"
+#include "server/methods/scene_spectra.h"
+#include "server/methods/training_set.h"
+
+namespace metamer {
+namespace {
+
+using Eigen::Index;
+
+/// Weights are kept from growing against each other by counting each value as uncertain by 3e-5 of
+/// itself: what 16 sums in f32 and a spectrum that is not in the training set may bring.
+constexpr double uncertainty = 1e-9;
+
+constexpr int rounds = 8;  ///< Of least squares: more change little.
+
+/// The normal equations of one of X, Y and Z, a row a wavelength: gram · weights = target.
+struct NormalEquations {
+  Eigen::MatrixXd gram;
+  Eigen::VectorXd target;
+};
+
+NormalEquations normal_equations(const Eigen::MatrixXd& spectra, const TrainingSet& set,
+                                 Index axis) {
+  const Eigen::VectorXd weights = set.weights.row(axis).transpose();
+  const Eigen::MatrixXd weighted = spectra * weights.asDiagonal();
+  NormalEquations equations;
+  equations.gram = Eigen::MatrixXd::Zero(spectra.rows(), spectra.rows());
+  equations.gram.selfadjointView<Eigen::Lower>().rankUpdate(weighted);
+  equations.gram.triangularView<Eigen::StrictlyUpper>() = equations.gram.transpose();
+  equations.gram.diagonal() *= 1 + uncertainty;
+  equations.target = weighted * set.xyz.row(axis).transpose().cwiseProduct(weights);
+  return equations;
+}
+
+/// Orthogonal least squares (S. Chen, S. A. Billings and W. Luo, International Journal of Control
+/// 50, 1873 (1989)) for X, Y and Z at once: after each choice, what every candidate would explain
+/// of the errors that are left. A choice is a column of the Gram matrices' Cholesky factors.
+class Selection {
+ public:
+  Selection(const TrainingSet& set, Index most) {
+    for (Index axis = 0; axis < 3; ++axis) {
+      Axis& own = axes_[static_cast<std::size_t>(axis)];
+      own.equations = normal_equations(set.spectra, set, axis);
+      own.factor.resize(set.spectra.rows(), most);
+    }
+    restart();
+  }
+
+  /// Nothing is chosen.
+  void restart() {
+    count_ = 0;
+    for (Axis& axis : axes_) {
+      axis.rest = axis.equations.gram.diagonal();
+      axis.target = axis.equations.target;
+    }
+  }
+
+  void choose(Index candidate) {
+    for (Axis& axis : axes_) {
+      const double pivot = axis.rest[candidate];
+      if (!(pivot > 0)) continue;
+      auto column = axis.factor.col(count_);
+      column = axis.equations.gram.col(candidate);
+      column.noalias() -=
+          axis.factor.leftCols(count_) * axis.factor.row(candidate).head(count_).transpose();
+      column /= std::sqrt(pivot);
+      axis.rest -= column.cwiseAbs2();
+      axis.target -= axis.target[candidate] / std::sqrt(pivot) * column;
+      axis.rest[candidate] = 0;
+    }
+    ++count_;
+  }
+
+  /// The drop of the squared errors' sum, by candidate.
+  Eigen::VectorXd gains() const {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(axes_[0].rest.size());
+    for (const Axis& axis : axes_)
+      sum += (axis.rest.array() > 0)
+                 .select(axis.target.array().square() / axis.rest.array(), 0)
+                 .matrix();
+    return sum;
+  }
+
+ private:
+  struct Axis {
+    NormalEquations equations;
+    Eigen::MatrixXd factor;  ///< Its first count_ columns.
+    Eigen::VectorXd rest;    ///< What the choices leave of the Gram matrix's diagonal,
+    Eigen::VectorXd target;  ///< and of the target.
+  };
+  std::array<Axis, 3> axes_;
+  Index count_ = 0;
+};
+
+/// Puts in the place of each choice the best one beside all the others, until nothing gets better
+/// or it takes too long: the work of one exchange grows with the square of their number.
+void exchange(Selection& selection, std::vector<Index>& chosen) {
+  const auto count = chosen.size();
+  std::size_t exchanges = 100'000 / (count * count), unchanged = 0;
+  for (std::size_t i = 0; unchanged < count && exchanges > 0; i = (i + 1) % count, --exchanges) {
+    selection.restart();
+    for (std::size_t other = 0; other < count; ++other)
+      if (other != i) selection.choose(chosen[other]);
+    const Eigen::VectorXd gains = selection.gains();
+    Index best;
+    const bool better = gains.maxCoeff(&best) > gains[chosen[i]] * (1 + 1e-9);
+    unchanged = better ? 1 : unchanged + 1;
+    if (better) chosen[i] = best;
+  }
+}
+
+/// Rows of the training set, rising.
+std::vector<Index> choose_rows(const TrainingSet& set, std::size_t most) {
+  std::vector<Index> chosen;
+  if (set.whites == 0) return chosen;
+  Selection selection(set, static_cast<Index>(most));
+  const double all = set.weights.cwiseProduct(set.xyz).squaredNorm();
+  constexpr double useful = 1e-10;  // its root is 1e-5 of about 300 ΔE from black to white
+  while (chosen.size() < most) {
+    Index best;
+    if (!(selection.gains().maxCoeff(&best) > useful * all)) break;
+    chosen.push_back(best);
+    selection.choose(best);
+  }
+  if (chosen.size() > 1) exchange(selection, chosen);
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
+}
+
+/// The weights of X, Y and Z, a row each, by least squares on condition that the first `kept` of
+/// the set keep their own X Y Z.
+Eigen::MatrixXd solve(const Eigen::MatrixXd& spectra, const TrainingSet& set, Index kept) {
+  const Eigen::MatrixXd whites = spectra.leftCols(kept);
+  Eigen::MatrixXd weights(3, spectra.rows());
+  for (Index axis = 0; axis < 3; ++axis) {
+    const NormalEquations equations = normal_equations(spectra, set, axis);
+    const Eigen::LDLT<Eigen::MatrixXd> gram(equations.gram);
+    const Eigen::VectorXd free = gram.solve(equations.target);
+    // Lagrange's multipliers; lights that depend on each other agree in what they ask for.
+    const Eigen::MatrixXd reach = gram.solve(whites);
+    const Eigen::VectorXd missing =
+        set.xyz.row(axis).head(kept).transpose() - whites.transpose() * free;
+    const Eigen::MatrixXd multipliers = whites.transpose() * reach;
+    weights.row(axis) = free + reach * multipliers.completeOrthogonalDecomposition().solve(missing);
+  }
+  return weights;
+}
+
+/// The weights for the chosen rows. Least squares that count large errors more and more come close
+/// to the smallest worst error (C. L. Lawson's algorithm, 1961; J. R. Rice and K. H. Usow,
+/// Mathematics of Computation 22, 118 (1968)).
+Eigen::MatrixXd fit_weights(TrainingSet set, const std::vector<Index>& chosen) {
+  const auto count = static_cast<Index>(chosen.size());
+  if (set.whites == 0) return Eigen::MatrixXd::Zero(3, count);
+  const Eigen::MatrixXd spectra = set.spectra(chosen, Eigen::all), importance = set.weights;
+  const Index kept = std::min(set.whites, (count + 1) / 2);
+  Eigen::MatrixXd weights = solve(spectra, set, kept);
+  for (int round = 0; round < rounds; ++round) {
+    const Eigen::RowVectorXd errors =
+        importance.cwiseProduct(weights * spectra - set.xyz).colwise().norm();
+    const double mean = errors.mean();
+    if (!(mean > 0)) break;
+    set.weights.array().rowwise() *= (errors.array() / mean).sqrt();
+    weights = solve(spectra, set, kept);
+  }
+  return weights;
+}
+
+std::vector<Index> rows_at(const std::vector<double>& nm) {
+  const std::vector<double> all = exact_wavelengths().nm();
+  std::vector<Index> rows;
+  for (const double one : nm)
+    rows.push_back(std::lower_bound(all.begin(), all.end(), one) - all.begin());
+  return rows;
+}
+
+}  // namespace
+
+std::vector<double> fitted_wavelengths(const RenderScene& scene, cie::Observer observer,
+                                       std::size_t most) {
+  const std::vector<double> all = exact_wavelengths().nm();
+  std::vector<double> nm;
+  for (const Index row : choose_rows(make_training_set(scene, observer), most))
+    nm.push_back(all[static_cast<std::size_t>(row)]);
+  if (nm.empty()) nm.push_back(555);  // where nothing is seen, one value is as good as any
+  return nm;
+}
+
+std::unique_ptr<Method> make_fitted(const v1::Plan& plan, const RenderScene& scene) {
+  const cie::Observer choice = to_observer(plan.observer());
+  const std::vector<double> nm =
+      plan.wavelength().empty()
+          ? fitted_wavelengths(scene, choice, plan.method().point().fitted())
+          : std::vector<double>(plan.wavelength().begin(), plan.wavelength().end());
+  const std::vector<Index> chosen = rows_at(nm);
+
+  // The weights stand for every nanometre, so a light has its luminance by every nanometre.
+  const Wavelengths every = exact_wavelengths();
+  const Eigen::MatrixXd powers = light_columns(scene, observer_weights(choice, every), every);
+  BandTable lights(scene.lights.size(), nm.size());
+  for (std::size_t i = 0; i < scene.lights.size(); ++i)
+    lights.set(i, to_list(powers(chosen, static_cast<Index>(i))));
+
+  SceneRows rows(scene);
+  BandTable values(rows.size(), nm.size());
+  rows.for_each(scene, nm,
+                [&](std::uint32_t row, const std::vector<double>& at) { values.set(row, at); });
+
+  const Eigen::MatrixXd weights = fit_weights(make_training_set(scene, choice), chosen);
+  BandTable xyz(3, nm.size());
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    xyz.set(axis, to_list(weights.row(static_cast<Index>(axis)).transpose()));
+  return std::make_unique<BandedMethod>(
+      std::move(rows), BandedMethod::Tables{std::move(lights), std::move(values), std::move(xyz)});
+}
+
+}  // namespace metamer

@@ -1,0 +1,125 @@
+#include "server/methods/prefilter.h"
+
+#include <Eigen/LU>
+
+#include "common/color/srgb.h"
+#include "common/scene/settings.h"
+#include "server/methods/banded.h"
+#include "server/methods/exact.h"
+#include "server/methods/scene_spectra.h"
+
+namespace metamer {
+namespace {
+
+/// A component of the dominant light is too small to divide by below this share of the largest:
+/// in RGB, where it may also be negative, and in XYZ, where rounding alone is left.
+constexpr double least_rgb = 0.01, least_xyz = 1e-6;
+
+/// What the three values are.
+struct Filter {
+  const RenderLight* dominant = nullptr;  ///< None where the observer sees no light.
+  bool rgb = true;                        ///< Or X Y Z.
+  Eigen::Matrix3d to_values;              ///< From X Y Z.
+  Eigen::Vector3d white;                  ///< The dominant light with luminance 1, in the values.
+  Eigen::MatrixXd surface;  ///< A column for each value: what it weighs a reflectance by; sums 1.
+};
+
+Eigen::Matrix3d rgb_from_xyz() {
+  Eigen::Matrix3d matrix;
+  for (std::size_t i = 0; i < 9; ++i)
+    matrix(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3)) =
+        srgb::from_xyz_matrix()[i / 3][i % 3];
+  return matrix;
+}
+
+/// An observer as a matrix, a column each of X, Y and Z.
+Eigen::MatrixXd sensitivity(const ObserverWeights& observer) {
+  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(observer.weights[0].size()), 3);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    matrix.col(static_cast<Eigen::Index>(axis)) = to_vector(observer.weights[axis]);
+  return matrix;
+}
+
+Filter make_filter(const RenderScene& scene, const ObserverWeights& observer,
+                   const Wavelengths& wavelengths) {
+  // The dominant light is the first (4.6.1) of which anything is seen; without any, equal energy.
+  Filter filter;
+  const Eigen::VectorXd equal =
+      Eigen::VectorXd::Ones(static_cast<Eigen::Index>(wavelengths.size()));
+  Eigen::VectorXd power = equal;
+  for (const RenderLight& light : scene.lights) {
+    const auto own =
+        resample(scene.emissions[light.emission], wavelengths.nm(), Outside::zero).values;
+    const double scale = luminance_scale(observer, own, 1);
+    if (!(scale > 0)) continue;
+    filter.dominant = &light;
+    power = scale * to_vector(own);
+    break;
+  }
+
+  // Take RGB where the light has enough of each of the three, else XYZ.
+  const Eigen::MatrixXd seen = sensitivity(observer);
+  filter.to_values = rgb_from_xyz();
+  filter.white = filter.to_values * (seen.transpose() * power);
+  filter.rgb = filter.white.minCoeff() > least_rgb * filter.white.maxCoeff();
+  if (!filter.rgb) {
+    filter.to_values.setIdentity();
+    filter.white = seen.transpose() * power;
+  }
+
+  // Where the light has none of a value, a surface is what it is under equal energy.
+  filter.surface = seen * filter.to_values.transpose();
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const bool has = filter.white[i] > least_xyz * filter.white.maxCoeff();
+    if (!has) filter.white[i] = 1;
+    auto column = filter.surface.col(i);
+    column = column.cwiseProduct(has ? power : equal).eval();
+    column /= column.sum();
+  }
+  return filter;
+}
+
+}  // namespace
+
+std::unique_ptr<Method> make_prefilter(const v1::Plan& plan, const RenderScene& scene) {
+  const Wavelengths wavelengths = exact_wavelengths();
+  const ObserverWeights observer = observer_weights(to_observer(plan.observer()), wavelengths);
+  const Filter filter = make_filter(scene, observer, wavelengths);
+
+  BandTable lights(scene.lights.size(), 3);
+  const Eigen::MatrixXd colors = filter.to_values * sensitivity(observer).transpose() *
+                                 light_columns(scene, observer, wavelengths);
+  for (std::size_t i = 0; i < scene.lights.size(); ++i)
+    lights.set(i, to_list(colors.col(static_cast<Eigen::Index>(i)).cwiseQuotient(filter.white)));
+
+  SceneRows rows(scene);
+  BandTable values(rows.size(), 3);
+  rows.for_each(scene, wavelengths.nm(), [&](std::uint32_t row, const std::vector<double>& at) {
+    values.set(row, to_list(filter.surface.transpose() * to_vector(at)));
+  });
+
+  BandTable xyz(3, 3);
+  const Eigen::Matrix3d to_xyz = filter.to_values.inverse() * filter.white.asDiagonal();
+  for (std::size_t i = 0; i < 3; ++i)
+    xyz.set(i, to_list(to_xyz.row(static_cast<Eigen::Index>(i)).transpose()));
+  return std::make_unique<BandedMethod>(
+      std::move(rows), BandedMethod::Tables{std::move(lights), std::move(values), std::move(xyz)});
+}
+
+void notice_prefilter(const RenderScene& scene, cie::Observer observer, v1::Plan& plan) {
+  const Wavelengths wavelengths = exact_wavelengths();
+  const Filter filter = make_filter(scene, observer_weights(observer, wavelengths), wavelengths);
+  const auto say = [&](const std::string& message) {
+    v1::Notice* notice = plan.add_notice();
+    notice->set_field("settings.method.prefilter");
+    notice->set_message(message);
+  };
+  if (filter.dominant == nullptr) return;  // each light's own notice says that it stays dark
+  const std::string name = "light \"" + filter.dominant->name + "\"";
+  if (filter.dominant != &scene.lights.front())
+    say(name + " is the dominant one: nothing is seen of those before it");
+  if (!filter.rgb)
+    say(name + " has too little red, green or blue to divide by: X, Y and Z are filtered instead");
+}
+
+}  // namespace metamer

@@ -1,0 +1,82 @@
+#include "server/methods/scene_spectra.h"
+
+#include <set>
+
+#include "common/scene/fresnel_table.h"
+
+namespace metamer {
+namespace {
+
+Eigen::MatrixXd to_matrix(const std::vector<Eigen::VectorXd>& columns, Eigen::Index rows) {
+  Eigen::MatrixXd matrix(rows, static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    matrix.col(static_cast<Eigen::Index>(i)) = columns[i];
+  return matrix;
+}
+
+void add(const OpticalConstants& constants, const Wavelengths& wavelengths,
+         std::vector<Eigen::VectorXd>& columns) {
+  const ConstantsAt at = resample(constants, wavelengths.nm());
+  for (const double cosine : {1.0, 0.4, 0.1}) columns.push_back(to_vector(fresnel_at(at, cosine)));
+}
+
+void add(const Spectrum& property, const Wavelengths& wavelengths,
+         std::vector<Eigen::VectorXd>& columns) {
+  columns.push_back(to_vector(resample(property, wavelengths.nm(), Outside::hold).values));
+}
+
+}  // namespace
+
+Eigen::VectorXd to_vector(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+std::vector<double> to_list(const Eigen::VectorXd& vector) {
+  return {vector.data(), vector.data() + vector.size()};
+}
+
+Eigen::MatrixXd light_columns(const RenderScene& scene, const ObserverWeights& observer,
+                              const Wavelengths& wavelengths) {
+  std::vector<Eigen::VectorXd> columns;
+  for (const RenderLight& light : scene.lights) {
+    const auto power =
+        resample(scene.emissions[light.emission], wavelengths.nm(), Outside::zero).values;
+    columns.push_back(luminance_scale(observer, power, light.luminance) * to_vector(power));
+  }
+  return to_matrix(columns, static_cast<Eigen::Index>(wavelengths.size()));
+}
+
+Eigen::MatrixXd unit_light_columns(const RenderScene& scene, const ObserverWeights& observer,
+                                   const Wavelengths& wavelengths) {
+  std::vector<Eigen::VectorXd> columns;
+  for (const Spectrum& emission : scene.emissions) {
+    const auto power = resample(emission, wavelengths.nm(), Outside::zero).values;
+    const double scale = luminance_scale(observer, power, 1);
+    if (scale > 0) columns.push_back(scale * to_vector(power));
+  }
+  return to_matrix(columns, static_cast<Eigen::Index>(wavelengths.size()));
+}
+
+Eigen::MatrixXd surface_columns(const RenderScene& scene, const Wavelengths& wavelengths) {
+  std::vector<Eigen::VectorXd> columns;
+  for (const Spectrum& property : scene.properties) add(property, wavelengths, columns);
+  for (const OpticalConstants& constants : scene.constants) add(constants, wavelengths, columns);
+  return to_matrix(columns, static_cast<Eigen::Index>(wavelengths.size()));
+}
+
+Eigen::MatrixXd mirror_columns(const RenderScene& scene, const Wavelengths& wavelengths) {
+  std::set<std::uint32_t> properties, constants;
+  for (const RenderMaterial& material : scene.materials) {
+    if (!(material.mirror > 0)) continue;
+    if (material.fresnel == FresnelKind::exact)
+      constants.insert(material.constants);
+    else
+      properties.insert(material.specular);
+  }
+  std::vector<Eigen::VectorXd> columns;
+  for (const std::uint32_t i : properties) add(scene.properties[i], wavelengths, columns);
+  for (const std::uint32_t i : constants) add(scene.constants[i], wavelengths, columns);
+  return to_matrix(columns, static_cast<Eigen::Index>(wavelengths.size()));
+}
+
+}  // namespace metamer

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "common/color/xyz.h"
+#include "server/scene/render_scene.h"
+
+/// The spectra of a scene as columns of matrices, a row a wavelength: what a method learns from
+/// that is made for one scene.
+namespace metamer {
+
+Eigen::VectorXd to_vector(const std::vector<double>& values);
+std::vector<double> to_list(const Eigen::VectorXd& vector);
+
+/// The lights with their luminance, E[3.2-4], a column each.
+Eigen::MatrixXd light_columns(const RenderScene& scene, const ObserverWeights& observer,
+                              const Wavelengths& wavelengths);
+
+/// The distinct emissions of lights of which the observer sees something, with luminance 1.
+Eigen::MatrixXd unit_light_columns(const RenderScene& scene, const ObserverWeights& observer,
+                                   const Wavelengths& wavelengths);
+
+/// What a surface may multiply light by; of a Fresnel term, at three angles.
+Eigen::MatrixXd surface_columns(const RenderScene& scene, const Wavelengths& wavelengths);
+
+/// The same of mirrors alone.
+Eigen::MatrixXd mirror_columns(const RenderScene& scene, const Wavelengths& wavelengths);
+
+}  // namespace metamer
