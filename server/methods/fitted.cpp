@@ -15,11 +15,9 @@ namespace {
 
 using Eigen::Index;
 
-/// Weights are kept from growing against each other by counting each value as uncertain by 3e-5 of
-/// itself: what 16 sums in f32 and a spectrum that is not in the training set may bring.
-constexpr double uncertainty = 1e-9;
-
-constexpr int rounds = 8;  ///< Of least squares: more change little.
+/// Weights are kept from growing against each other by counting each value as uncertain by 1e-5 of
+/// itself: what sums in f32, and spectra that are not in the training set, may bring.
+constexpr double uncertainty = 1e-10;
 
 /// The normal equations of one of X, Y and Z, a row a wavelength: gram · weights = target.
 struct NormalEquations {
@@ -123,7 +121,7 @@ std::vector<Index> choose_rows(const TrainingSet& set, std::size_t most) {
   if (set.whites == 0) return chosen;
   Selection selection(set, static_cast<Index>(most));
   const double all = set.weights.cwiseProduct(set.xyz).squaredNorm();
-  constexpr double useful = 1e-10;  // its root is 1e-5 of about 300 ΔE from black to white
+  constexpr double useful = 1e-9;  // its root is 3e-5 of some 200 ΔE from black to a colour
   while (chosen.size() < most) {
     Index best;
     if (!(selection.gains().maxCoeff(&best) > useful * all)) break;
@@ -135,11 +133,16 @@ std::vector<Index> choose_rows(const TrainingSet& set, std::size_t most) {
   return chosen;
 }
 
-/// The weights of X, Y and Z, a row each, by least squares on condition that the first `kept` of
-/// the set keep their own X Y Z.
-Eigen::MatrixXd solve(const Eigen::MatrixXd& spectra, const TrainingSet& set, Index kept) {
+/// The weights of X, Y and Z, a row each, for the chosen rows: least squares on condition that the
+/// first lights keep their own X Y Z.
+Eigen::MatrixXd fit_weights(const TrainingSet& set, const std::vector<Index>& chosen) {
+  const auto count = static_cast<Index>(chosen.size());
+  if (set.whites == 0) return Eigen::MatrixXd::Zero(3, count);
+  const Eigen::MatrixXd spectra = set.spectra(chosen, Eigen::all);
+  const Index kept = std::min(set.whites, (count + 1) / 2);
   const Eigen::MatrixXd whites = spectra.leftCols(kept);
-  Eigen::MatrixXd weights(3, spectra.rows());
+
+  Eigen::MatrixXd weights(3, count);
   for (Index axis = 0; axis < 3; ++axis) {
     const NormalEquations equations = normal_equations(spectra, set, axis);
     const Eigen::LDLT<Eigen::MatrixXd> gram(equations.gram);
@@ -150,26 +153,6 @@ Eigen::MatrixXd solve(const Eigen::MatrixXd& spectra, const TrainingSet& set, In
         set.xyz.row(axis).head(kept).transpose() - whites.transpose() * free;
     const Eigen::MatrixXd multipliers = whites.transpose() * reach;
     weights.row(axis) = free + reach * multipliers.completeOrthogonalDecomposition().solve(missing);
-  }
-  return weights;
-}
-
-/// The weights for the chosen rows. Least squares that count large errors more and more come close
-/// to the smallest worst error (C. L. Lawson's algorithm, 1961; J. R. Rice and K. H. Usow,
-/// Mathematics of Computation 22, 118 (1968)).
-Eigen::MatrixXd fit_weights(TrainingSet set, const std::vector<Index>& chosen) {
-  const auto count = static_cast<Index>(chosen.size());
-  if (set.whites == 0) return Eigen::MatrixXd::Zero(3, count);
-  const Eigen::MatrixXd spectra = set.spectra(chosen, Eigen::all), importance = set.weights;
-  const Index kept = std::min(set.whites, (count + 1) / 2);
-  Eigen::MatrixXd weights = solve(spectra, set, kept);
-  for (int round = 0; round < rounds; ++round) {
-    const Eigen::RowVectorXd errors =
-        importance.cwiseProduct(weights * spectra - set.xyz).colwise().norm();
-    const double mean = errors.mean();
-    if (!(mean > 0)) break;
-    set.weights.array().rowwise() *= (errors.array() / mean).sqrt();
-    weights = solve(spectra, set, kept);
   }
   return weights;
 }

@@ -70,14 +70,14 @@ TrainingSet make_training_set(const RenderScene& scene, cie::Observer choice, Ei
     sensitivity.col(axis) = to_vector(observer.weights[static_cast<std::size_t>(axis)]);
   set.xyz = sensitivity.transpose() * set.spectra;
 
+  // Each class as much as the others, and mirrors, which are the hardest, twice.
   set.weights.resize(3, set.spectra.cols());
   for (Eigen::Index i = 0; i < set.spectra.cols(); ++i) {
-    const Eigen::Index alike = i < count                     ? count
-                               : i < count * (1 + seen_once) ? count * seen_once
-                                                             : count * seen_twice;
+    const bool direct = i < count * (1 + seen_once);
+    const Eigen::Index alike = i < count ? count : count * (direct ? seen_once : seen_twice);
+    const double share = (direct ? 1 : 2) / std::sqrt(static_cast<double>(alike));
     const Eigen::Array3d counts = importance(set.xyz.col(i), set.xyz.col(i % count));
-    for (Eigen::Index axis = 0; axis < 3; ++axis)
-      set.weights(axis, i) = counts[axis] / std::sqrt(static_cast<double>(alike));
+    for (Eigen::Index axis = 0; axis < 3; ++axis) set.weights(axis, i) = share * counts[axis];
   }
   return set;
 }

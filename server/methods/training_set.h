@@ -15,7 +15,7 @@ struct TrainingSet {
   Eigen::MatrixXd spectra;  ///< A column each; the first `whites` are the lights by themselves.
   Eigen::MatrixXd xyz;      ///< Their X Y Z, three rows.
   /// What an error of 1 in X, Y or Z counts, about in ΔE; three rows. The three classes of light
-  /// (by itself, over a surface, in a mirror) count alike, however many there are.
+  /// (by itself, over a surface, in a mirror) count alike, mirrors twice, however many there are.
   Eigen::MatrixXd weights;
   Eigen::Index whites;
 };
