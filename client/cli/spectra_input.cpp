@@ -109,7 +109,8 @@ std::optional<LoadedSpectrum> load_one(const SpectraOptions& options, const std:
   if (!loaded) return std::nullopt;
   if (loaded->size() == 1) return std::move(loaded->front());
   report.error(quoted(file) + " has " + std::to_string(loaded->size()) +
-               " spectra; choose one with --entry, such as " + quoted(loaded->front().name));
+               " spectra; choose one with --entry, such as " +
+               metamer::quoted(loaded->front().name));
   return std::nullopt;
 }
 

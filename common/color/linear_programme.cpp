@@ -1,5 +1,6 @@
 #include "common/color/linear_programme.h"
 
+#include <Eigen/LU>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -12,6 +13,8 @@ using Eigen::Index;
 
 /// What counts as 0 of numbers of the order of 1.
 constexpr double epsilon = 1e-11;
+/// Exchanges without gain before Bland's rule, which is slow.
+constexpr int patience = 1000;
 
 /// basic = values − table · (the others), goal = slope · (the others) + …; the others are 0.
 /// Variables 0 … n − 1 are x, the rest the slack of each limit, which may not fall below 0.
@@ -22,13 +25,21 @@ struct Simplex {
 
   bool is_free(Index variable) const { return variable < table.cols(); }
 
-  /// Another variable whose change raises the goal: the one of the least number. −1: there is none.
-  Index entering() const {
+  /// Another variable whose change raises the goal: the one that raises it fastest, or, by Bland's
+  /// rule, the one of the least number. −1: there is none.
+  Index entering(bool by_number) const {
     Index found = -1;
+    double steepest = 0;
     for (Index j = 0; j < table.cols(); ++j) {
       const Index variable = others[static_cast<std::size_t>(j)];
-      const bool raises = slope[j] > epsilon || (is_free(variable) && slope[j] < -epsilon);
-      if (raises && (found < 0 || variable < others[static_cast<std::size_t>(found)])) found = j;
+      const double gain = is_free(variable) ? std::abs(slope[j]) : slope[j];
+      if (gain <= epsilon) continue;
+      const bool better = by_number
+                              ? found < 0 || variable < others[static_cast<std::size_t>(found)]
+                              : gain > steepest;
+      if (!better) continue;
+      found = j;
+      steepest = gain;
     }
     return found;
   }
@@ -79,17 +90,30 @@ std::optional<Eigen::VectorXd> maximise(const Eigen::VectorXd& goal, const Eigen
   for (Index j = 0; j < goal.size(); ++j) simplex.others.push_back(j);
   for (Index i = 0; i < bounds.size(); ++i) simplex.basic.push_back(goal.size() + i);
 
-  for (Index column = simplex.entering(); column >= 0; column = simplex.entering()) {
+  // Where many limits meet, exchanges gain nothing; only Bland's rule surely comes out of that.
+  int idle = 0;
+  for (;;) {
+    const Index column = simplex.entering(idle > patience);
+    if (column < 0) break;
     const Index row = simplex.leaving(column);
     if (row < 0) return std::nullopt;
+    idle = simplex.values[row] > epsilon ? 0 : idle + 1;
     simplex.exchange(row, column);
   }
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(goal.size());
-  for (Index i = 0; i < bounds.size(); ++i) {
-    const Index variable = simplex.basic[static_cast<std::size_t>(i)];
-    if (simplex.is_free(variable)) x[variable] = simplex.values[i];
+
+  // The exchanges have lost digits: meet the limits that hold there, once and directly.
+  Eigen::MatrixXd met = Eigen::MatrixXd::Zero(goal.size(), goal.size());
+  Eigen::VectorXd at = Eigen::VectorXd::Zero(goal.size());
+  for (Index j = 0; j < goal.size(); ++j) {
+    const Index variable = simplex.others[static_cast<std::size_t>(j)];
+    if (simplex.is_free(variable)) {
+      met(j, variable) = 1;
+    } else {
+      met.row(j) = limits.row(variable - goal.size());
+      at[j] = bounds[variable - goal.size()];
+    }
   }
-  return x;
+  return met.fullPivLu().solve(at);
 }
 
 }  // namespace metamer

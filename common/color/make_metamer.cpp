@@ -74,7 +74,8 @@ Eigen::VectorXd farthest(const Target& target, const Eigen::MatrixXd& black) {
   const auto outermost = [&](const Eigen::Vector3d& direction) -> Eigen::VectorXd {
     const auto found =
         maximise((direction.transpose() * target.lit * black).transpose(), limits, bounds);
-    return found ? black * *found : Eigen::VectorXd::Zero(black.rows());
+    if (!found) return Eigen::VectorXd::Zero(black.rows());
+    return black * *found;
   };
 
   Eigen::VectorXd best = Eigen::VectorXd::Zero(black.rows());
