@@ -22,6 +22,14 @@ ExitCode list_models(const ModelsOptions& options);
 ExitCode show_model(const ShowModelOptions& options);
 ExitCode plot_models(const PlotOptions& options);
 
+ExitCode spectra_info(const SpectraOptions& options);
+ExitCode plot_spectra(const PlotSpectraOptions& options);
+ExitCode resample_spectra(const ResampleOptions& options);
+ExitCode normalize_spectra(const NormalizeOptions& options);
+ExitCode spectra_rgb(const SpectraRgbOptions& options);
+ExitCode convert_spectra(const ConvertOptions& options);
+ExitCode find_metamer(const MetamerOptions& options);
+
 ExitCode bench_models(const BenchOptions& options);
 
 /// What words that make no sense come to with --json: a document that says why.

@@ -1,5 +1,6 @@
 #include "client/cli/commands.h"
 #include "client/cli/connection.h"
+#include "client/cli/development.h"
 #include "client/cli/follow.h"
 #include "client/cli/output.h"
 
@@ -23,6 +24,8 @@ boost::asio::awaitable<ExitCode> fetch_from(Session& session, const FetchOptions
   if (!followed) co_return report.session_error(followed.error());
   const ExitCode code = conclude(*followed, nullptr, report);
   if (code != ExitCode::done && code != ExitCode::promise_broken) co_return code;
+  // The words were checked before the job was.
+  (void)apply(options.development, *followed->plan->mutable_development());
   const ExitCode written = write_output(options.output, *followed, *name, report);
   co_return written == ExitCode::done ? code : written;
 }
@@ -32,6 +35,11 @@ boost::asio::awaitable<ExitCode> fetch_from(Session& session, const FetchOptions
 ExitCode fetch(const FetchOptions& options) {
   Report report(options.common.json);
   if (!check_output(options.output, report)) return report.finish(ExitCode::bad_input);
+  v1::Development checked;
+  if (const auto words = apply(options.development, checked); !words) {
+    report.error(words.error().message);
+    return report.finish(ExitCode::bad_input);
+  }
   return report.finish(with_server(options.common, report, [&](Session& session) {
     return fetch_from(session, options, report);
   }));

@@ -20,6 +20,7 @@ struct AllOptions {
   ModelsOptions models;
   ShowModelOptions show_model;
   PlotOptions plot;
+  SpectraCommands spectra;
   BenchOptions bench;
 };
 
@@ -70,6 +71,7 @@ void add_job_commands(CLI::App& app, AllOptions& all, Action& chosen) {
                                         chosen, [&] { return fetch(all.fetch); });
   add_job(fetch_command, all.fetch.job_id);
   add_output(fetch_command, all.fetch.output);
+  add_development(fetch_command, all.fetch.development, "In place of what the job says");
   add_common(fetch_command, all.fetch.common);
 
   const auto add_control = [&](const char* name, const char* meaning, ControlOptions& options,
@@ -151,6 +153,7 @@ int run(int argc, char** argv) {
   add_scene_commands(app, all, chosen);
   add_job_commands(app, all, chosen);
   add_models_commands(app, all, chosen);
+  add_spectra_commands(app, all.spectra, chosen);
   add_bench_commands(app, all, chosen);
   try {
     app.parse(argc, argv);

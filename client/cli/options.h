@@ -14,6 +14,13 @@ struct CommonOptions {
   bool json = false;  ///< One JSON document on stdout.
 };
 
+/// How X Y Z become a picture's numbers, as written.
+struct DevelopmentOptions {
+  std::optional<std::string> adaptation;  ///< "none", "von-kries", "bradford", …
+  std::optional<std::string> rgb;         ///< "srgb", "display-p3", …
+  bool linear = false;
+};
+
 /// What the command line says instead of the scene's own settings, as written.
 struct Overrides {
   std::optional<std::string> method;       ///< A name in v1::Method: "point", "rgb".
@@ -31,9 +38,10 @@ struct Overrides {
   std::optional<std::uint32_t> threads;
   std::optional<std::uint32_t> tile_size;
   std::vector<std::string> lights;  ///< "ceiling=A", "*=D65"
+  DevelopmentOptions development;
 };
 
-/// Where pictures go. An .exr holds linear sRGB, or XYZ.
+/// Where pictures go. An .exr holds linear RGB, or XYZ.
 struct OutputOptions {
   std::vector<std::string> files;
   std::string exr = "rgb";             ///< "rgb", "xyz"
@@ -81,6 +89,7 @@ struct FetchOptions {
   CommonOptions common;
   std::uint64_t job_id = 0;
   OutputOptions output;
+  DevelopmentOptions development;  ///< In place of what the job was submitted with.
 };
 
 /// cancel, pause, resume.
@@ -110,6 +119,66 @@ struct PlotOptions {
   std::vector<std::string> set;  ///< "shininess=120"
   std::string folder = ".";      ///< Made when it is not there.
   bool figures = false;          ///< Figs. 2-2 to 2-11 in place of names.
+};
+
+/// What `metamer spectra` reads: files, or names of CIE illuminants and test colours.
+struct SpectraOptions {
+  bool json = false;
+  std::vector<std::string> files;
+  std::optional<std::string> entry;        ///< Of files with several spectra: this one.
+  std::optional<std::string> kind;         ///< "emission", "reflectance"
+  std::string observer = "cie-1931-2deg";  ///< Or "cie-1964-10deg".
+  std::string under = "D65";               ///< The light of reflectances.
+};
+
+struct SpectraOutputOptions {
+  std::string file;                   ///< Empty: the text is printed.
+  std::optional<std::string> format;  ///< "pairs", "uniform", "cgats"
+};
+
+struct PlotSpectraOptions {
+  SpectraOptions input;
+  std::string file;  ///< A .png.
+};
+
+struct ResampleOptions {
+  SpectraOptions input;
+  std::optional<std::string> samples, wavelengths;  ///< As in Overrides.
+  SpectraOutputOptions output;
+};
+
+struct NormalizeOptions {
+  SpectraOptions input;
+  double luminance = 1;
+  SpectraOutputOptions output;
+};
+
+struct SpectraRgbOptions {
+  SpectraOptions input;
+  DevelopmentOptions development;
+  double luminance = 1;  ///< Of the light: an emission, or the one that reflectances are under.
+};
+
+struct ConvertOptions {
+  SpectraOptions input;
+  SpectraOutputOptions output;
+};
+
+struct MetamerOptions {
+  SpectraOptions input;
+  std::string against;          ///< Empty: A, or D65 where that is the light.
+  SpectraOutputOptions output;  ///< Its file is not empty.
+};
+
+/// One for each `metamer spectra` command.
+struct SpectraCommands {
+  SpectraOptions info;
+  PlotSpectraOptions plot;
+  ResampleOptions resample;
+  NormalizeOptions normalize;
+  SpectraRgbOptions rgb;
+  ConvertOptions convert;
+  MetamerOptions metamer;
 };
 
 struct BenchOptions {

@@ -11,7 +11,7 @@
 #include <map>
 #include <set>
 
-#include "common/image/image.h"
+#include "client/cli/development.h"
 
 namespace metamer::cli {
 namespace {
@@ -52,11 +52,12 @@ std::string counted_pixels(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " pixel" : " pixels");
 }
 
-void note_gamut(const std::string& file, const GamutReport& gamut, Report& report) {
+void note_gamut(const std::string& file, const std::string& space, const GamutReport& gamut,
+                Report& report) {
   Problem note;
   note.file = file;
   if (gamut.negative > 0) {
-    note.message = counted_pixels(gamut.negative) + " outside the sRGB gamut, clipped";
+    note.message = counted_pixels(gamut.negative) + " outside the " + space + " gamut, clipped";
     report.note(note);
   }
   if (gamut.above > 0) {
@@ -114,18 +115,25 @@ Wanted wanted(const OutputOptions& options) {
 
 ExitCode write_output(const OutputOptions& options, Followed& followed, const std::string& name,
                       Report& report) {
+  const auto planned = planned_developing(*followed.plan);
+  if (!planned) {
+    report.error("the server planned no colour space: " + planned.error().message);
+    return ExitCode::other;
+  }
+  if (!planned->unadapted.empty())
+    report.note({.field = {}, .file = {}, .message = "not adapted: " + planned->unadapted});
   const auto values = metadata(followed, name);
   ExitCode code = ExitCode::done;
   for (const std::string& file : options.files) {
     const bool png = lower_extension(file) == ".png";
-    const Result<GamutReport> gamut =
-        write_image(followed.film->image(), file, !png && options.exr == "xyz", values);
+    const Result<GamutReport> gamut = write_image(
+        followed.film->image(), file, !png && options.exr == "xyz", values, planned->developing);
     if (!gamut) {
       report.problem(gamut.error(), {});
       code = ExitCode::other;
       continue;
     }
-    if (png) note_gamut(file, *gamut, report);
+    if (png) note_gamut(file, planned->developing.space.name, *gamut, report);
     report.document()["files"].push_back(file);
     report.line(file);
   }

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "client/cli/development.h"
 #include "common/scene/schema.h"
 
 namespace metamer::cli {
@@ -172,6 +173,17 @@ Result<void> apply_shading(const std::string& shading, v1::Settings& settings,
   return problem("--shading: no shading named \"" + shading + "\"" + did_you_mean(shading, names));
 }
 
+Result<void> apply_development(const DevelopmentOptions& options, v1::Settings& settings,
+                               std::vector<Replaced>& replaced) {
+  if (!options.adaptation && !options.rgb && !options.linear) return {};
+  return apply(options, *settings.mutable_development())
+      .map([&](const std::vector<std::string>& given) {
+        // Only primaries can be wrong, and --rgb puts them aside.
+        for (const std::string& option : given)
+          if (option == "--rgb") replaced.push_back({"settings.development", option});
+      });
+}
+
 void apply_numbers(const Overrides& overrides, v1::Settings& settings,
                    std::vector<Replaced>& replaced) {
   if (overrides.spp) {
@@ -233,6 +245,7 @@ Result<std::vector<Replaced>> apply(const Overrides& overrides, v1::Scene& scene
   if (result && overrides.size) result = apply_size(*overrides.size, settings, replaced);
   if (result && overrides.observer) result = apply_observer(*overrides.observer, settings);
   if (result && overrides.shading) result = apply_shading(*overrides.shading, settings, replaced);
+  if (result) result = apply_development(overrides.development, settings, replaced);
   for (const std::string& light : overrides.lights)
     if (result) result = apply_light(light, scene, replaced);
   if (!result) return tl::unexpected<Problem>(std::move(result.error()));

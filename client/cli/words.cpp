@@ -5,7 +5,7 @@ namespace metamer::cli {
 const char* const footer =
     "Without --server (or METAMER_SERVER), render, check and bench start a private server and end "
     "it\n"
-    "again; models needs none; the other commands need one.\n"
+    "again; models and spectra need none; the other commands need one.\n"
     "\n"
     "Exit codes: 0 done, 2 bad input or usage, 3 no server, 4 job failed, 5 cancelled, 6 the\n"
     "picture is less accurate or slower than --tolerance or --deadline asked for, 1 otherwise.";
@@ -53,6 +53,7 @@ void add_overrides(CLI::App& command, Overrides& options) {
   add("--light", options.lights, "give a light a CIE illuminant: NAME=A, or *=A for all of them")
       ->type_name("NAME=ILLUMINANT")
       ->allow_extra_args(false);
+  add_development(command, options.development, group.c_str());
 }
 
 void add_output(CLI::App& command, OutputOptions& options) {
@@ -65,7 +66,7 @@ void add_output(CLI::App& command, OutputOptions& options) {
           "keep what relighting needs, in FILE or beside the first picture as .factors")
       ->type_name("[FILE]")
       ->expected(0, 1);
-  command.add_option("--exr", options.exr, "what an .exr holds: rgb (linear sRGB) or xyz")
+  command.add_option("--exr", options.exr, "what an .exr holds: rgb (linear) or xyz")
       ->capture_default_str();
 }
 

@@ -25,6 +25,10 @@ void add_common(CLI::App& command, CommonOptions& options);
 void add_scene(CLI::App& command, std::string& scene);
 void add_job(CLI::App& command, std::uint64_t& job_id);
 void add_overrides(CLI::App& command, Overrides& options);
+void add_development(CLI::App& command, DevelopmentOptions& options, const char* group);
 void add_output(CLI::App& command, OutputOptions& options);
+
+/// `metamer spectra` and all below it.
+void add_spectra_commands(CLI::App& app, SpectraCommands& all, Action& chosen);
 
 }  // namespace metamer::cli

@@ -1,25 +1,28 @@
 #pragma once
 
-#include <array>
+#include "common/color/rgb_space.h"
 
-#include "common/color/xyz.h"
-
-/// IEC 61966-2-1 (sRGB). Its white is D65, x 0.3127, y 0.3290.
+/// sRGB (IEC 61966-2-1), which previews and the method `rgb` work in: short names for one
+/// rgb_space.
 namespace metamer::srgb {
 
-using Rgb = std::array<double, 3>;
-using Matrix3 = std::array<std::array<double, 3>, 3>;  ///< Rows.
+using metamer::Matrix3;
+using metamer::Rgb;
 
-/// Linear RGB → XYZ, derived from the primaries and the white; and its inverse.
-const Matrix3& to_xyz_matrix();
-const Matrix3& from_xyz_matrix();
+inline const RgbSpace& space() {
+  static const RgbSpace& srgb = rgb_space(StandardSpace::srgb);
+  return srgb;
+}
 
-Rgb from_xyz(const Xyz& xyz);  ///< Linear; may be negative or above 1: out of gamut.
-Xyz to_xyz(const Rgb& linear);
+/// Linear RGB → XYZ, and its inverse.
+inline const Matrix3& to_xyz_matrix() { return space().to_xyz; }
+inline const Matrix3& from_xyz_matrix() { return space().from_xyz; }
 
-/// The transfer function, linear → encoded, on [0, 1]; odd for negative values, and continued
-/// above 1, so that it has an inverse everywhere.
-double encode(double linear);
-double decode(double encoded);
+/// Linear; may be negative or above 1: out of gamut.
+inline Rgb from_xyz(const Xyz& xyz) { return multiply(from_xyz_matrix(), xyz); }
+inline Xyz to_xyz(const Rgb& linear) { return multiply(to_xyz_matrix(), linear); }
+
+inline double encode(double linear) { return metamer::encode(space().transfer, linear); }
+inline double decode(double encoded) { return metamer::decode(space().transfer, encoded); }
 
 }  // namespace metamer::srgb

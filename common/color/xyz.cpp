@@ -30,6 +30,13 @@ Xyz to_xyz(const ObserverWeights& observer, const std::vector<double>& power) {
   return {dot(x, power), dot(y, power), dot(z, power)};
 }
 
+ObserverWeights under_light(ObserverWeights observer, const std::vector<double>& power) {
+  const double scale = luminance_scale(observer, power, 1);
+  for (std::vector<double>& weights : observer.weights)
+    for (std::size_t i = 0; i < weights.size(); ++i) weights[i] *= scale * power[i];
+  return observer;
+}
+
 double luminance_scale(const ObserverWeights& observer, const std::vector<double>& power,
                        double luminance) {
   const double scale = luminance / dot(observer.weights[1], power);

@@ -22,6 +22,11 @@ ObserverWeights observer_weights(cie::Observer observer, const Wavelengths& wave
 /// E[3.2-2]: X = Σ x̄ Φ Δλ and so on; `power` has a value for each wavelength.
 Xyz to_xyz(const ObserverWeights& observer, const std::vector<double>& power);
 
+/// The observer of reflectances under a light of `power`, whose luminance is made 1: the X Y Z of a
+/// reflectance are three dot products, and those of a perfect white are the light's white. All 0
+/// where the light is dark.
+ObserverWeights under_light(ObserverWeights observer, const std::vector<double>& power);
+
 /// ξ of E[3.2-4] = luminance / Σ ȳ Φ Δλ, the factor that gives `power` that luminance.
 /// 0 where the observer sees nothing of it: such a light stays dark, and the caller says so.
 double luminance_scale(const ObserverWeights& observer, const std::vector<double>& power,

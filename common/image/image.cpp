@@ -14,9 +14,9 @@ Image make_image(int width, int height, std::vector<std::string> channels) {
   return image;
 }
 
-void to_linear_srgb(const float* xyz, float* rgb, std::size_t pixels) {
+void to_linear_rgb(const Matrix3& matrix, const float* xyz, float* rgb, std::size_t pixels) {
   for (std::size_t i = 0; i < pixels; ++i, xyz += 3, rgb += 3) {
-    const srgb::Rgb linear = srgb::from_xyz({xyz[0], xyz[1], xyz[2]});
+    const Rgb linear = multiply(matrix, Xyz{xyz[0], xyz[1], xyz[2]});
     for (std::size_t c = 0; c < 3; ++c) rgb[c] = static_cast<float>(linear[c]);
   }
 }
@@ -24,7 +24,8 @@ void to_linear_srgb(const float* xyz, float* rgb, std::size_t pixels) {
 Image to_linear_srgb(const Image& xyz) {
   assert(xyz.channels.size() == 3);
   Image rgb = make_image(xyz.width, xyz.height, {"R", "G", "B"});
-  to_linear_srgb(xyz.pixels.data(), rgb.pixels.data(), xyz.pixels.size() / 3);
+  to_linear_rgb(srgb::from_xyz_matrix(), xyz.pixels.data(), rgb.pixels.data(),
+                xyz.pixels.size() / 3);
   return rgb;
 }
 

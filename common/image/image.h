@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "common/color/rgb_space.h"
 #include "common/problem.h"
 
 namespace metamer {
@@ -29,8 +30,15 @@ Image make_image(int width, int height, std::vector<std::string> channels);
 
 /// XYZ → linear sRGB, values as they come.
 Image to_linear_srgb(const Image& xyz);
-/// The same for a run of `pixels`, three values each.
-void to_linear_srgb(const float* xyz, float* rgb, std::size_t pixels);
+/// A run of `pixels`, three values each, through a matrix in f64, which adapts as well.
+void to_linear_rgb(const Matrix3& matrix, const float* xyz, float* rgb, std::size_t pixels);
+
+/// How X Y Z become the numbers of a file.
+struct Developing {
+  RgbSpace space = rgb_space(StandardSpace::srgb);
+  Matrix3 adaptation = identity3;  ///< X Y Z as rendered → as seen under the white of the space.
+  bool linear = false;             ///< A .png without the space's transfer function.
+};
 
 /// What developing an XYZ image for a display lost. Nothing is clamped without being counted; f32's
 /// own rounding, 1e-6, is not counted.
@@ -39,13 +47,15 @@ struct GamutReport {
   std::size_t above = 0;     ///< Pixels with an RGB value above 1.
 };
 
-/// Writes by the extension of `file`: .png is 8-bit sRGB, rounded to nearest, clipped to [0, 1]
-/// and counted in the report; .exr is 32-bit float linear sRGB, unclipped. With `xyz` an .exr holds
-/// X Y Z, bit for bit; a .png can't. `metadata` becomes text attributes ("metamer:plan").
-/// The file appears whole or not at all (written beside it, then renamed). Errors name the file:
-/// another extension, a folder or a disk that can't be written.
+/// Writes by the extension of `file`: .png is 8-bit RGB of the space, rounded to nearest, clipped
+/// to [0, 1] and counted in the report, with an ICC profile unless it is sRGB's own; .exr is 32-bit
+/// float linear RGB, unclipped, with its chromaticities. With `xyz` an .exr holds X Y Z, bit for
+/// bit; a .png can't. `metadata` becomes text attributes ("metamer:plan"). The file appears whole
+/// or not at all (written beside it, then renamed). Errors name the file: another extension, a
+/// folder or a disk that can't be written.
 Result<GamutReport> write_image(const Image& xyz_image, const std::filesystem::path& file, bool xyz,
-                                const std::map<std::string, std::string>& metadata);
+                                const std::map<std::string, std::string>& metadata,
+                                const Developing& developing = {});
 
 /// Reads a PNG (values as stored, 0..1, not decoded to linear) or an EXR, of at most
 /// max_image_values. Errors name the file; libpng prints a line of its own about a broken PNG.

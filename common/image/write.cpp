@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "common/color/srgb.h"
+#include "common/image/icc.h"
 #include "common/image/image.h"
 #include "common/image/oiio.h"
 
@@ -25,7 +25,7 @@ constexpr int rows_at_a_time = 64;
 constexpr float rounding = 1e-6F;
 
 /// Counts what clipping loses, and gives the clipped, encoded, rounded bytes.
-Bytes to_8_bit(const std::vector<float>& rgb, GamutReport& gamut) {
+Bytes to_8_bit(const std::vector<float>& rgb, const Transfer& transfer, GamutReport& gamut) {
   Bytes bytes(rgb.size());
   for (std::size_t i = 0; i < rgb.size(); i += 3) {
     bool negative = false, above = false;
@@ -35,7 +35,7 @@ Bytes to_8_bit(const std::vector<float>& rgb, GamutReport& gamut) {
       above = above || value > 1 + rounding;
       // The order of max's arguments turns NaN into 0.
       const double clipped = std::min(1.0, std::max(0.0, static_cast<double>(value)));
-      bytes[i + c] = static_cast<unsigned char>(std::lround(255 * srgb::encode(clipped)));
+      bytes[i + c] = static_cast<unsigned char>(std::lround(255 * encode(transfer, clipped)));
     }
     gamut.negative += negative ? 1 : 0;
     gamut.above += above ? 1 : 0;
@@ -43,21 +43,41 @@ Bytes to_8_bit(const std::vector<float>& rgb, GamutReport& gamut) {
   return bytes;
 }
 
-OIIO::ImageSpec make_spec(const Image& image, bool png, bool xyz,
+/// Says what a .png's numbers mean: sRGB by its name, another space by a profile.
+void add_png_space(const Developing& developing, OIIO::ImageSpec& spec) {
+  const RgbSpace& space = developing.space;
+  spec.attribute("metamer:rgb_space", space.name + (developing.linear ? ", linear" : ""));
+  if (space.word == "srgb" && !developing.linear) {
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    return;
+  }
+  const std::string profile = icc_profile(space, developing.linear);
+  spec.attribute("ICCProfile",
+                 OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(profile.size())),
+                 profile.data());
+}
+
+/// And an .exr's: by the chromaticities of primaries and white.
+void add_exr_space(const RgbSpace& space, OIIO::ImageSpec& spec) {
+  std::vector<float> values;
+  for (const Chromaticity& c :
+       {space.primaries.red, space.primaries.green, space.primaries.blue, space.primaries.white}) {
+    values.push_back(static_cast<float>(c.x));
+    values.push_back(static_cast<float>(c.y));
+  }
+  spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), values.data());
+}
+
+OIIO::ImageSpec make_spec(const Image& image, bool png, bool xyz, const Developing& developing,
                           const std::map<std::string, std::string>& metadata) {
   OIIO::ImageSpec spec(image.width, image.height, 3,
                        png ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
   spec.channelnames = xyz ? image.channels : std::vector<std::string>{"R", "G", "B"};
   if (png) {
-    spec.attribute("oiio:ColorSpace", "sRGB");
+    add_png_space(developing, spec);
   } else {
     spec.attribute("compression", "zip");
-  }
-
-  // Say what the numbers mean: the primaries and the white of sRGB.
-  if (!png && !xyz) {
-    const float srgb[8] = {0.64F, 0.33F, 0.30F, 0.60F, 0.15F, 0.06F, 0.3127F, 0.3290F};
-    spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), srgb);
+    if (!xyz) add_exr_space(developing.space, spec);
   }
   for (const auto& [name, text] : metadata) spec.attribute(name, text);
   return spec;
@@ -66,19 +86,22 @@ OIIO::ImageSpec make_spec(const Image& image, bool png, bool xyz,
 /// The whole file in memory: a disk that fills up can then be told from a picture that can't be
 /// encoded.
 Result<Bytes> encode_file(const Image& image, const std::string& format, bool xyz,
-                          const std::map<std::string, std::string>& metadata, GamutReport& gamut) {
+                          const std::map<std::string, std::string>& metadata,
+                          const Developing& developing, GamutReport& gamut) {
   const bool png = format == "png";
   Bytes bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   const auto output = OIIO::ImageOutput::create(format);
   if (!output) return problem("can't write " + format + ": " + oiio::first_line(OIIO::geterror()));
   output->threads(1);
-  OIIO::ImageSpec spec = make_spec(image, png, xyz, metadata);
+  OIIO::ImageSpec spec = make_spec(image, png, xyz, developing, metadata);
   OIIO::Filesystem::IOProxy* proxy = &memory;
   spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
   bool good = output->open("memory." + format, spec);
 
   // Convert and encode a few rows at a time.
+  const Matrix3 matrix = multiply(developing.space.from_xyz, developing.adaptation);
+  const Transfer transfer = developing.linear ? Transfer{} : developing.space.transfer;
   for (int y = 0; good && y < image.height; y += rows_at_a_time) {
     const int end = std::min(image.height, y + rows_at_a_time);
     if (xyz) {
@@ -87,9 +110,9 @@ Result<Bytes> encode_file(const Image& image, const std::string& format, bool xy
     }
     const auto pixels = static_cast<std::size_t>(end - y) * static_cast<std::size_t>(image.width);
     std::vector<float> rgb(3 * pixels);
-    to_linear_srgb(image.at(0, y), rgb.data(), pixels);
+    to_linear_rgb(matrix, image.at(0, y), rgb.data(), pixels);
     if (png) {
-      const Bytes encoded = to_8_bit(rgb, gamut);
+      const Bytes encoded = to_8_bit(rgb, transfer, gamut);
       good = output->write_scanlines(y, end, 0, OIIO::TypeDesc::UINT8, encoded.data());
     } else {
       good = output->write_scanlines(y, end, 0, OIIO::TypeDesc::FLOAT, rgb.data());
@@ -139,7 +162,8 @@ Result<void> replace_file(const std::filesystem::path& file, const Bytes& bytes)
 }  // namespace
 
 Result<GamutReport> write_image(const Image& xyz_image, const std::filesystem::path& file, bool xyz,
-                                const std::map<std::string, std::string>& metadata) {
+                                const std::map<std::string, std::string>& metadata,
+                                const Developing& developing) {
   assert(xyz_image.channels.size() == 3);
   oiio::stay_in_this_thread();
   const std::string format = oiio::format_of(file);
@@ -150,10 +174,8 @@ Result<GamutReport> write_image(const Image& xyz_image, const std::filesystem::p
   if (xyz && format == "png") return oiio::file_problem(file, "XYZ can only be written as .exr");
 
   GamutReport gamut;
-  const auto done =
-      encode_file(xyz_image, format, xyz, metadata, gamut).and_then([&](const Bytes& bytes) {
-        return replace_file(file, bytes);
-      });
+  const auto done = encode_file(xyz_image, format, xyz, metadata, developing, gamut)
+                        .and_then([&](const Bytes& bytes) { return replace_file(file, bytes); });
   if (!done) return oiio::file_problem(file, done.error().message);
   return gamut;
 }

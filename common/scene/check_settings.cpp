@@ -1,4 +1,5 @@
 #include "common/scene/check_wavelengths.h"
+#include "common/scene/development.h"
 #include "common/scene/limits.h"
 #include "common/scene/parts.h"
 #include "common/scene/settings.h"
@@ -64,6 +65,13 @@ void check_picture(const v1::Settings& full, const std::string& field, Findings&
                           std::to_string(full.height()) + " are " + std::to_string(pixels) + ")");
 }
 
+/// Its other values are those of enums, which check_values knows.
+void check_development(const v1::Development& development, const std::string& field,
+                       Findings& findings) {
+  const Result<RgbSpace> space = to_rgb_space(development);
+  if (!space) findings.add(field + "." + space.error().field, space.error().message);
+}
+
 }  // namespace
 
 void check_settings(const v1::Settings& settings, const std::string& field, Findings& findings) {
@@ -88,6 +96,7 @@ void check_settings(const v1::Settings& settings, const std::string& field, Find
     case v1::Method::METHOD_NOT_SET:
       break;
   }
+  check_development(full.development(), field + ".development", findings);
   check_range(full.spp(), 1, limits::max_spp, field + ".spp", findings);
   check_range(full.depth(), 0, limits::max_depth, field + ".depth", findings);
   check_range(full.threads(), 0, limits::max_threads, field + ".threads", findings);

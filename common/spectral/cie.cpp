@@ -65,4 +65,11 @@ const std::vector<std::string>& illuminant_names() { return illuminants().names;
 const Spectrum* test_color(std::string_view name) { return test_colors().find(name); }
 const std::vector<std::string>& test_color_names() { return test_colors().names; }
 
+const std::array<Spectrum, 3>& daylight_components() {
+  static const std::array<Spectrum, 3> components = {to_spectrum(tables::daylight[0]),
+                                                     to_spectrum(tables::daylight[1]),
+                                                     to_spectrum(tables::daylight[2])};
+  return components;
+}
+
 }  // namespace metamer::cie

@@ -24,4 +24,7 @@ const std::vector<std::string>& illuminant_names();
 const Spectrum* test_color(std::string_view name);
 const std::vector<std::string>& test_color_names();
 
+/// S₀, S₁, S₂, of which every phase of daylight is made, 300 to 830 nm (CIE 15:2004, table T.2).
+const std::array<Spectrum, 3>& daylight_components();
+
 }  // namespace metamer::cie

@@ -15,5 +15,6 @@ struct Table {
 extern const std::span<const Table> observers;    ///< x̄ ȳ z̄ of 1931, then of 1964.
 extern const std::span<const Table> illuminants;  ///< Named as in cie.h.
 extern const std::span<const Table> test_colors;  ///< TCS01 … TCS15.
+extern const std::span<const Table> daylight;     ///< S₀ S₁ S₂.
 
 }  // namespace metamer::cie::tables

@@ -3,7 +3,8 @@ set(METAMER_COLORD_DATA /usr/share/colord CACHE PATH
   "The CIE tables of Debian's package colord-data (folders cmf, illuminant, ref)")
 file(GLOB cie_files CONFIGURE_DEPENDS
   ${METAMER_COLORD_DATA}/cmf/CIE*.cmf ${METAMER_COLORD_DATA}/illuminant/CIE-*.sp
-  ${METAMER_COLORD_DATA}/ref/CIE-TCS.sp)
+  ${METAMER_COLORD_DATA}/ref/CIE-TCS.sp
+  ${METAMER_COLORD_DATA}/ref/CIE-1986-daylight-SPD.cmf)
 if(NOT EXISTS ${METAMER_COLORD_DATA}/ref/CIE-TCS.sp)
   message(FATAL_ERROR
     "The CIE tables are not in ${METAMER_COLORD_DATA}. Install the package colord-data "

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "common/color/xyz.h"
 #include "common/scene/settings.h"
 #include "server/methods/method.h"
 #include "server/plan/missed_light.h"
@@ -25,6 +26,17 @@ void list_models(const RenderScene& scene, v1::Plan& plan) {
   for (const RenderObject& object : scene.objects)
     used.insert(scene.materials[object.material].reflection.model);
   for (const models::Model model : used) plan.add_models(models::entry(model).name);
+}
+
+/// The white of the dominant light, to which an eye adapts (4.6.1).
+void plan_white(const RenderScene& scene, v1::Observer observer, v1::Plan& plan) {
+  if (scene.lights.empty()) return;
+  const Wavelengths all = *Wavelengths::uniform(360, 830, 1);
+  const Spectrum& light = scene.emissions[scene.lights.front().emission];
+  const ObserverWeights lit = under_light(observer_weights(to_observer(observer), all),
+                                          resample(light, all.nm(), Outside::zero).values);
+  const Xyz white = to_xyz(lit, std::vector<double>(all.size(), 1.0));
+  if (white[1] > 0) plan.mutable_source_white()->Add(white.begin(), white.end());
 }
 
 /// Says where a spectrum has no data at the method's wavelengths.
@@ -120,6 +132,8 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
   plan.set_backend("cpu");
   *plan.mutable_method() = settings.method();
   plan.set_observer(settings.observer());
+  *plan.mutable_development() = settings.development();
+  plan_white(scene, settings.observer(), plan);
 
   const Wavelengths wavelengths = method_wavelengths(settings.method());
   plan_method(scene, settings, plan);

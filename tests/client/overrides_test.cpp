@@ -49,6 +49,28 @@ TEST(Overrides, EachReplacesItsSetting) {
   EXPECT_TRUE(scene.settings().method().has_rgb());
 }
 
+TEST(Overrides, OfTheDevelopmentReplaceWhatTheSceneSays) {
+  v1::Scene scene =
+      scene_from("settings { development { adaptation: SHARP primaries { red: 1 gamma: 2 } } }");
+  Overrides overrides;
+  overrides.development.adaptation = "cmccat2000";
+  overrides.development.rgb = "prophoto";
+  overrides.development.linear = true;
+  const auto replaced = apply(overrides, scene);
+  ASSERT_TRUE(replaced);
+  EXPECT_EQ(scene.settings().development().adaptation(), v1::CMCCAT2000);
+  EXPECT_EQ(scene.settings().development().rgb_space(), v1::PROPHOTO);
+  EXPECT_FALSE(scene.settings().development().has_primaries());
+  EXPECT_TRUE(scene.settings().development().linear());
+
+  overrides.development.rgb = "display-p4";
+  EXPECT_EQ(error_of(overrides),
+            "--rgb: no RGB space named \"display-p4\"; did you mean \"display-p3\"?");
+  overrides.development.adaptation = "bradfort";
+  EXPECT_EQ(error_of(overrides),
+            "--adapt: no adaptation named \"bradfort\"; did you mean \"bradford\"?");
+}
+
 TEST(Overrides, PositionsAskForPointSamplingAndReplaceAllOthers) {
   v1::Scene scene = scene_from("settings { method { point { wavelengths: [400, 500] } } }");
   Overrides overrides;

@@ -85,8 +85,9 @@ int main(int argc, char** argv) {
   write_tables(out, "observers", read_observers(folder));
   write_tables(out, "illuminants", read_illuminants(folder));
   write_tables(out, "test_colors", read(folder + "/ref/CIE-TCS.sp", 15));
+  write_tables(out, "daylight", read(folder + "/ref/CIE-1986-daylight-SPD.cmf", 3));
   out << "}  // namespace\n\n";
-  for (const std::string name : {"observers", "illuminants", "test_colors"}) {
+  for (const std::string name : {"observers", "illuminants", "test_colors", "daylight"}) {
     out << "constinit const std::span<const Table> " << name << " = all_" << name << ";\n";
   }
   out << "\n}  // namespace metamer::cie::tables\n";

@@ -102,6 +102,28 @@ TEST(Settings, TripletsMustMakeSense) {
   EXPECT_EQ(point("from: 400 to: 700 step: 1e-300").size(), 1u);
 }
 
+TEST(Settings, PrimariesMustSpanASpace) {
+  const std::string srgb = "red: [0.64, 0.33] green: [0.3, 0.6] blue: [0.15, 0.06] ";
+  const auto primaries = [&](const std::string& text) {
+    return settings("development { adaptation: BRADFORD primaries { " + text + " } }");
+  };
+  const std::string field = "settings.development.primaries";
+  EXPECT_EQ(settings("development { adaptation: SHARP rgb_space: PROPHOTO linear: true }"),
+            Strings());
+  EXPECT_EQ(primaries(srgb + "white: [0.3127, 0.329] gamma: 2.2"), Strings());
+  EXPECT_EQ(primaries(srgb), Strings({field + ".white: white must be x and y (it has 0 numbers)"}));
+  EXPECT_EQ(primaries(srgb + "white: [0.3127]"),
+            Strings({field + ".white: white must be x and y (it has 1 number)"}));
+  EXPECT_EQ(primaries(srgb + "white: [0.3127, 0.329] gamma: 0"),
+            Strings({field + ": gamma must be above 0 (it is 0)"}));
+  EXPECT_EQ(primaries(srgb + "white: [0.9, 0.1]"),
+            Strings({field + ": white must lie inside the triangle of red, green and blue"}));
+  EXPECT_EQ(primaries("red: [0, 0.1] green: [0, 0.2] blue: [0, 0.3] white: [0.3, 0.3]"),
+            Strings({field + ": red, green and blue must not lie on a line"}));
+  EXPECT_EQ(primaries(srgb + "white: [0.3127, nan]"),
+            Strings({field + ".white[1]: white[1] must be finite (it is nan)"}));
+}
+
 TEST(Settings, ListedWavelengthsMustRise) {
   EXPECT_EQ(point("wavelengths: [400, 546, 436, 700]"),
             Strings({"settings.method.point.wavelengths[2]: wavelengths must rise (436 comes "

@@ -82,6 +82,27 @@ TEST(Plan, SaysThatALightStaysDark) {
             "light \"l\" stays dark: the observer sees nothing of it at these wavelengths");
 }
 
+TEST(Plan, KeepsTheDevelopmentAndTheDominantLightsWhite) {
+  const v1::Plan by_a = plan(scene("luminance: 7 spectrum { standard: 'A' }", "",
+                                   "development { adaptation: SHARP rgb_space: REC_2020 }"));
+  EXPECT_EQ(by_a.development().adaptation(), v1::SHARP);
+  EXPECT_EQ(by_a.development().rgb_space(), v1::REC_2020);
+  ASSERT_EQ(by_a.source_white_size(), 3);
+  // CIE 15:2004, table T.3.
+  EXPECT_NEAR(by_a.source_white(0), 1.0985, 1e-4);
+  EXPECT_NEAR(by_a.source_white(1), 1, 1e-14);
+  EXPECT_NEAR(by_a.source_white(2), 0.3558, 1e-4);
+
+  // By the observer that was chosen, whatever the method's wavelengths.
+  const v1::Plan by_ten =
+      plan(scene("spectrum { standard: 'A' }", "",
+                 "observer: CIE_1964_10DEG method { point { wavelengths: 550 } }"));
+  EXPECT_NEAR(by_ten.source_white(0), 1.1114, 2e-4);
+  const v1::Plan dark =
+      plan(scene("spectrum { samples { wavelength: [900, 950] value: [1, 1] } }", "", ""));
+  EXPECT_EQ(dark.source_white_size(), 0);
+}
+
 TEST(Plan, IsAFunctionOfItsArguments) {
   const std::string text = scene("spectrum { standard: 'F11' }", "blinn_phong {}", "");
   EXPECT_EQ(plan(text).SerializeAsString(), plan(text).SerializeAsString());

@@ -1,0 +1,63 @@
+// A reflectance that looks the same under one light and another under another.
+#include <cstdio>
+
+#include "client/cli/commands.h"
+#include "client/cli/spectra_input.h"
+#include "common/color/metamerism.h"
+
+namespace metamer::cli {
+namespace {
+
+void add_differences(const std::vector<Mismatch>& all, Report& report) {
+  std::string text = "light  ΔE00   ΔE*ab  ΔE*uv";
+  for (const Mismatch& one : all) {
+    report.document()["differences"].push_back(
+        {{"light", one.light}, {"de00", one.de00}, {"deab", one.deab}, {"deuv", one.deuv}});
+    char line[96];
+    std::snprintf(line, sizeof line, "\n%-5s %6.2f %6.2f %6.2f", one.light.c_str(), one.de00,
+                  one.deab, one.deuv);
+    text += line;
+  }
+  report.line(text);
+}
+
+}  // namespace
+
+ExitCode find_metamer(const MetamerOptions& options) {
+  Report report(options.input.json);
+  const auto observer = observer_of(options.input.observer);
+  if (!observer) {
+    report.error(observer.error().message);
+    return report.finish(ExitCode::bad_input);
+  }
+  if (!check_spectra_output(options.output, report)) return report.finish(ExitCode::bad_input);
+
+  // CIE 15:2004, 9.2.2: metamers of daylight are to be tried under A.
+  const std::string other = !options.against.empty()     ? options.against
+                            : options.input.under == "A" ? "D65"
+                                                         : "A";
+  SpectraOptions input = options.input;
+  input.kind = "reflectance";
+  const auto original = load_one(input, input.files.front(), report);
+  const auto under = load_light(input.under, "--under", report);
+  const auto against = load_light(other, "--against", report);
+  if (!original || !under || !against) return report.finish(ExitCode::bad_input);
+
+  const auto made = make_metamer(original->spectrum, *under, *against, *observer);
+  if (!made) {
+    report.error(quoted(original->label) + ": " + made.error().message);
+    return report.finish(ExitCode::bad_input);
+  }
+  const ExitCode written =
+      write_spectra(options.output,
+                    {{.name = original->name + "-metamer", .spectrum = made->reflectance}}, report);
+  if (written != ExitCode::done) return report.finish(written);
+  std::vector<NamedSpectrum> lights = cie_lights();
+  for (const auto& [word, light] : {std::pair{input.under, *under}, std::pair{other, *against}})
+    if (cie::illuminant(word) == nullptr) lights.push_back({word, light});
+  const auto differences = metamerism(original->spectrum, made->reflectance, lights, *observer);
+  if (differences) add_differences(*differences, report);
+  return report.finish(ExitCode::done);
+}
+
+}  // namespace metamer::cli

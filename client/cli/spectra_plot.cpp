@@ -1,0 +1,85 @@
+// Spectra over wavelength as a picture.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "client/cli/commands.h"
+#include "client/cli/gnuplot.h"
+#include "client/cli/spectra_input.h"
+
+namespace metamer::cli {
+namespace {
+
+/// More curves than this tell nothing, and gnuplot takes its time.
+constexpr std::size_t most_curves = 64;
+
+/// Okabe's and Ito's colours, which the colour-blind tell apart.
+constexpr std::array colors = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
+
+/// In single quotes gnuplot takes every character as it is, but for the quote; a file's name may
+/// hold line breaks.
+std::string quote(const std::string& words) {
+  std::string result = "'";
+  for (const char c : words)
+    result += c == '\'' ? "''" : std::string(1, static_cast<unsigned char>(c) < 32 ? '?' : c);
+  return result + "'";
+}
+
+/// Emissions on the left axis, reflectances on the right one, which ends at 1.
+std::string script(const std::vector<LoadedSpectrum>& spectra) {
+  const auto is_emission = [](const LoadedSpectrum& one) { return one.emission; };
+  const bool emissions = std::any_of(spectra.begin(), spectra.end(), is_emission);
+  const bool reflectances = !std::all_of(spectra.begin(), spectra.end(), is_emission);
+  std::string text =
+      "set terminal pngcairo noenhanced size 1000,600 font 'DejaVu Sans,11'\n"
+      "set key outside below horizontal\nset grid lc rgb '#CCCCCC' lt 1\n"
+      "set xlabel 'wavelength / nm'\nset border lc rgb '#888888'\n";
+  if (emissions) text += "set ylabel 'relative power'\nset yrange [0<*:*]\n";
+  if (reflectances)
+    text += emissions ? "set ytics nomirror\nset y2tics\nset y2label 'reflectance'\nset y2range "
+                        "[0:1<*]\n"
+                      : "set ylabel 'reflectance'\nset yrange [0:1<*]\n";
+  std::string plots;
+  for (std::size_t i = 0; i < spectra.size(); ++i) {
+    const Spectrum& spectrum = spectra[i].spectrum;
+    const std::string block = "$d" + std::to_string(i);
+    text += block + " << EOD\n";
+    for (std::size_t k = 0; k < spectrum.nm.size(); ++k)
+      text += number_text(spectrum.nm[k]) + " " + number_text(spectrum.values[k]) + "\n";
+    text += "EOD\n";
+    const bool right = emissions && !spectra[i].emission;
+    plots += (plots.empty() ? "plot " : ", ") + block + " using 1:2 axes " +
+             (right ? "x1y2" : "x1y1") + " with " +
+             (spectrum.nm.size() == 1 ? "points pt 7" : "lines lw 2.2") + " lc rgb " +
+             quote(colors[i % colors.size()]) + " dt " + (i < colors.size() ? "1" : "2") +
+             " title " + quote(spectra[i].label);
+  }
+  return text + plots + "\n";
+}
+
+}  // namespace
+
+ExitCode plot_spectra(const PlotSpectraOptions& options) {
+  Report report(options.input.json);
+  if (std::filesystem::path(options.file).extension() != ".png") {
+    report.error("--output: " + quoted(options.file) + " does not end in .png");
+    return report.finish(ExitCode::bad_input);
+  }
+  const auto spectra = load_spectra(options.input, options.input.files, report);
+  if (!spectra) return report.finish(ExitCode::bad_input);
+  if (spectra->size() > most_curves) {
+    report.error("a picture takes at most " + std::to_string(most_curves) + " spectra, not " +
+                 std::to_string(spectra->size()));
+    return report.finish(ExitCode::bad_input);
+  }
+  if (const Result<void> drawn = draw_png(script(*spectra), options.file); !drawn) {
+    report.problem(drawn.error(), {});
+    return report.finish(ExitCode::other);
+  }
+  report.document()["files"].push_back(options.file);
+  report.line(options.file);
+  return report.finish(ExitCode::done);
+}
+
+}  // namespace metamer::cli

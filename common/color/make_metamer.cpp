@@ -1,0 +1,145 @@
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "common/color/linear_programme.h"
+#include "common/color/metamerism.h"
+
+namespace metamer {
+namespace {
+
+constexpr Eigen::Index cosines = 11;
+constexpr double least_difference = 1e-3;
+constexpr int most_steps = 20;
+
+using Rows = Eigen::Matrix<double, 3, Eigen::Dynamic>;
+
+/// X Y Z of reflectances as a matrix.
+Rows to_rows(const ObserverWeights& weights) {
+  Rows rows(3, static_cast<Eigen::Index>(weights.weights[0].size()));
+  for (Eigen::Index c = 0; c < 3; ++c)
+    rows.row(c) = Eigen::Map<const Eigen::RowVectorXd>(
+        weights.weights[static_cast<std::size_t>(c)].data(), rows.cols());
+  return rows;
+}
+
+Xyz to_array(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
+
+/// Smooth functions that nobody sees under a light: a column each, orthonormal in their
+/// coefficients.
+Eigen::MatrixXd blacks(const Rows& lit, const std::vector<double>& nm) {
+  Eigen::MatrixXd smooth(static_cast<Eigen::Index>(nm.size()), cosines);
+  for (Eigen::Index i = 0; i < smooth.rows(); ++i)
+    for (Eigen::Index k = 0; k < cosines; ++k) {
+      const double phase =
+          (nm[static_cast<std::size_t>(i)] - nm.front()) / (nm.back() - nm.front());
+      smooth(i, k) = std::cos(std::numbers::pi * static_cast<double>(k) * phase);
+    }
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(lit * smooth, Eigen::ComputeFullV);
+  return smooth * svd.matrixV().rightCols(cosines - svd.rank());
+}
+
+/// The original under the other light, and the metamers' way from it.
+struct Target {
+  Rows lit;
+  Xyz white;
+  Lab lab;
+  Eigen::VectorXd original;
+
+  Eigen::Vector3d seen(const Eigen::VectorXd& added) const { return lit * (original + added); }
+  double difference(const Eigen::Vector3d& xyz) const {
+    return delta_e_00(lab, to_lab(to_array(xyz), white));
+  }
+};
+
+/// By how much X, Y and Z raise `value` at `xyz`; steps of a millionth of the white.
+template <class Function>
+Eigen::Vector3d gradient(const Eigen::Vector3d& xyz, const Function& value) {
+  Eigen::Vector3d result;
+  for (Eigen::Index c = 0; c < 3; ++c) {
+    const Eigen::Vector3d step = 1e-6 * Eigen::Vector3d::Unit(c);
+    result[c] = (value(xyz + step) - value(xyz - step)) / 2e-6;
+  }
+  return result;
+}
+
+/// Vertices of the set of metamers that lie outermost in 26 directions of L*a*b*, then by climbing
+/// from the farthest of them: ΔE00 rises to the next vertex until it does not.
+Eigen::VectorXd farthest(const Target& target, const Eigen::MatrixXd& black) {
+  Eigen::MatrixXd limits(2 * black.rows(), black.cols());
+  limits << black, -black;
+  Eigen::VectorXd bounds(2 * black.rows());
+  bounds << 1 - target.original.array(), target.original;
+  const auto outermost = [&](const Eigen::Vector3d& direction) -> Eigen::VectorXd {
+    const auto found =
+        maximise((direction.transpose() * target.lit * black).transpose(), limits, bounds);
+    if (!found) return Eigen::VectorXd::Zero(black.rows());
+    return black * *found;
+  };
+
+  Eigen::VectorXd best = Eigen::VectorXd::Zero(black.rows());
+  double difference = 0;
+  const auto consider = [&](const Eigen::VectorXd& added) {
+    const double other = target.difference(target.seen(added));
+    if (!(other > difference)) return false;
+    best = added;
+    difference = other;
+    return true;
+  };
+  const Eigen::Vector3d start = target.seen(best);
+  for (int i = 0; i < 27; ++i) {
+    const Eigen::Vector3d way(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    if (way.isZero()) continue;
+    consider(outermost(gradient(start, [&](const Eigen::Vector3d& xyz) {
+      const Lab lab = to_lab(to_array(xyz), target.white);
+      return way.dot(Eigen::Vector3d(lab.l, lab.a, lab.b));
+    })));
+  }
+  for (int step = 0; step < most_steps; ++step) {
+    const Eigen::Vector3d uphill = gradient(
+        target.seen(best), [&](const Eigen::Vector3d& xyz) { return target.difference(xyz); });
+    if (!consider(outermost(uphill))) break;
+  }
+  return best;
+}
+
+}  // namespace
+
+Result<Metamer> make_metamer(const Spectrum& original, const Spectrum& under,
+                             const Spectrum& against, cie::Observer observer) {
+  for (std::size_t i = 0; i < original.nm.size(); ++i)
+    if (original.values[i] < 0 || original.values[i] > 1)
+      return problem("a reflectance lies in 0..1 (at " + number_text(original.nm[i]) +
+                     " nm it is " + number_text(original.values[i]) + ")");
+
+  // Put everything at 1 nm.
+  const Wavelengths wavelengths = *Wavelengths::uniform(360, 830, 1);
+  const ObserverWeights eye = observer_weights(observer, wavelengths);
+  const auto lit_by = [&](const Spectrum& light) {
+    return to_rows(under_light(eye, resample(light, wavelengths.nm(), Outside::zero).values));
+  };
+  const Rows here = lit_by(under), there = lit_by(against);
+  const Eigen::Vector3d white = there.rowwise().sum();
+  if (!(here.rowwise().sum().minCoeff() > 0) || !(white.minCoeff() > 0))
+    return problem("both lights must have a white to see");
+  const std::vector<double> values = resample(original, wavelengths.nm(), Outside::hold).values;
+  const Eigen::VectorXd start =
+      Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+
+  // Add what is black under the one light and far away under the other.
+  const Target target{.lit = there,
+                      .white = to_array(white),
+                      .lab = to_lab(to_array(there * start), to_array(white)),
+                      .original = start};
+  const Eigen::VectorXd found = start + farthest(target, blacks(here, wavelengths.nm()));
+  Metamer result{.reflectance = {.nm = wavelengths.nm(), .values = {}},
+                 .de00 = target.difference(there * found)};
+  if (!(result.de00 >= least_difference))
+    return problem("no smooth reflectance in 0..1 matches it there and differs from it elsewhere");
+  // The programme keeps its limits to rounding, about 1e-13: that is cut off.
+  for (const double value : found) result.reflectance.values.push_back(std::clamp(value, 0.0, 1.0));
+  return result;
+}
+
+}  // namespace metamer

@@ -1,0 +1,39 @@
+#include "common/color/metamerism.h"
+
+namespace metamer {
+
+Result<std::vector<Mismatch>> metamerism(const Spectrum& one, const Spectrum& other,
+                                         const std::vector<NamedSpectrum>& lights,
+                                         cie::Observer observer) {
+  const Wavelengths wavelengths = *Wavelengths::uniform(360, 830, 1);
+  const ObserverWeights eye = observer_weights(observer, wavelengths);
+  const std::vector<double> a = resample(one, wavelengths.nm(), Outside::hold).values;
+  const std::vector<double> b = resample(other, wavelengths.nm(), Outside::hold).values;
+  const std::vector<double> perfect(wavelengths.size(), 1.0);
+
+  std::vector<Mismatch> result;
+  for (const NamedSpectrum& light : lights) {
+    const ObserverWeights lit =
+        under_light(eye, resample(light.spectrum, wavelengths.nm(), Outside::zero).values);
+    const Xyz white = to_xyz(lit, perfect), first = to_xyz(lit, a), second = to_xyz(lit, b);
+    for (const double value : white)
+      if (!(value > 0)) return problem("the light " + quoted(light.name) + " has no white to see");
+    const Lab lab = to_lab(first, white), other_lab = to_lab(second, white);
+    result.push_back({.light = light.name,
+                      .one = first,
+                      .other = second,
+                      .de00 = delta_e_00(lab, other_lab),
+                      .deab = delta_e_ab(lab, other_lab),
+                      .deuv = delta_e_uv(to_luv(first, white), to_luv(second, white))});
+  }
+  return result;
+}
+
+std::vector<NamedSpectrum> cie_lights() {
+  std::vector<NamedSpectrum> lights;
+  for (const std::string& name : cie::illuminant_names())
+    lights.push_back({.name = name, .spectrum = *cie::illuminant(name)});
+  return lights;
+}
+
+}  // namespace metamer

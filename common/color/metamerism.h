@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/color/lab.h"
+#include "common/problem.h"
+#include "common/spectral/spectrum_file.h"
+
+/// Two surfaces that look alike under one light and not under another (3.1.2.2).
+namespace metamer {
+
+/// How two reflectances look under one light of luminance 1, which is the white.
+struct Mismatch {
+  std::string light;
+  Xyz one, other;
+  double de00, deab, deuv;
+};
+
+/// The differences under each of `lights`, summed from 360 to 830 nm by 1 nm; reflectances hold
+/// their end values. Error: a light that the observer does not see.
+Result<std::vector<Mismatch>> metamerism(const Spectrum& one, const Spectrum& other,
+                                         const std::vector<NamedSpectrum>& lights,
+                                         cie::Observer observer);
+
+/// All the CIE's illuminants, for the above.
+std::vector<NamedSpectrum> cie_lights();
+
+struct Metamer {
+  Spectrum reflectance;  ///< In 0..1; 360 to 830 nm by 1 nm.
+  double de00;           ///< From the original, under the other light.
+};
+
+/// A reflectance in 0..1 that has the X Y Z of `original` under the light `under` (to 1e-12) and
+/// lies far from it under `against`. What is added to the original is a sum of 11 cosines over 360
+/// to 830 nm, so that nothing new in it is narrower than half a period of 47 nm, as in paints. ΔE00
+/// is the largest that linear programmes in the metameric black space (G. Wyszecki 1953) find in 26
+/// directions and by climbing from the best: a vertex of the set of all such metamers, not proven
+/// the farthest. Errors: a reflectance outside 0..1, a dark light, nothing that differs by ΔE00
+/// 0.001 or more (white, black, or two lights of one shape).
+Result<Metamer> make_metamer(const Spectrum& original, const Spectrum& under,
+                             const Spectrum& against, cie::Observer observer);
+
+}  // namespace metamer

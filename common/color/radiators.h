@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "common/spectral/spectrum.h"
+
+/// The lights that others are compared with; relative power.
+namespace metamer {
+
+/// Planck's law, c₂ = 1.4388e-2 m·K (that of ITS-90 as the CIE rounds it; illuminant A, which was
+/// 2848 K with the older 1.4350e-2, is 2856 K with it), 1 at 560 nm. `kelvin` is above 0.
+Spectrum planckian(double kelvin, std::vector<double> nm);
+
+/// A phase of daylight from its temperature, CIE 15:2004, 3.1: at most 25,000 K and at least 4,000
+/// K; 1 at 560 nm. Outside 300 to 830 nm it is 0.
+Spectrum daylight(double kelvin, std::vector<double> nm);
+
+}  // namespace metamer

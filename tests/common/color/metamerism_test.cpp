@@ -1,0 +1,107 @@
+#include "common/color/metamerism.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace metamer {
+namespace {
+
+using cie::Observer;
+
+const Mismatch& under(const std::vector<Mismatch>& all, const std::string& light) {
+  return *std::find_if(all.begin(), all.end(),
+                       [&](const Mismatch& one) { return one.light == light; });
+}
+
+TEST(Metamerism, OfOneReflectanceWithItselfIsNone) {
+  const Spectrum& paint = *cie::test_color("TCS09");
+  const auto all = metamerism(paint, paint, cie_lights(), Observer::cie_1931_2deg);
+  ASSERT_TRUE(all);
+  EXPECT_EQ(all->size(), cie::illuminant_names().size());
+  for (const Mismatch& one : *all) EXPECT_EQ(one.de00 + one.deab + one.deuv, 0) << one.light;
+}
+
+TEST(Metamerism, OfTwoGreysIsTheSameUnderEveryLight) {
+  // L* of 0.5 and 0.2, CIE 15:2004, 8.2.1.
+  const double expected = 116 * (std::cbrt(0.5) - std::cbrt(0.2));
+  const auto all =
+      metamerism({{500}, {0.5}}, {{500}, {0.2}}, cie_lights(), Observer::cie_1964_10deg);
+  ASSERT_TRUE(all);
+  for (const Mismatch& one : *all) {
+    EXPECT_NEAR(one.deab, expected, 1e-10) << one.light;
+    EXPECT_NEAR(one.deuv, expected, 1e-10) << one.light;
+  }
+}
+
+TEST(Metamerism, UnderALightThatNobodySeesIsAnError) {
+  const Spectrum grey = {{500}, {0.5}};
+  const auto all =
+      metamerism(grey, grey, {{"heat", {{900, 1000}, {1, 1}}}}, Observer::cie_1931_2deg);
+  ASSERT_FALSE(all);
+  EXPECT_EQ(all.error().message, "the light \"heat\" has no white to see");
+}
+
+TEST(MakeMetamer, MatchesUnderOneLightAndDiffersUnderAnother) {
+  for (const Observer observer : {Observer::cie_1931_2deg, Observer::cie_1964_10deg})
+    for (const std::string& name : cie::test_color_names()) {
+      const Spectrum& paint = *cie::test_color(name);
+      const auto made =
+          make_metamer(paint, *cie::illuminant("D65"), *cie::illuminant("F11"), observer);
+      ASSERT_TRUE(made) << name << ": " << made.error().message;
+      const auto all = metamerism(paint, made->reflectance, cie_lights(), observer);
+      ASSERT_TRUE(all);
+      const Mismatch& same = under(*all, "D65");
+      for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(same.one[c], same.other[c], 1e-12) << name;
+      EXPECT_NEAR(under(*all, "F11").de00, made->de00, 1e-8) << name;
+      EXPECT_GT(made->de00, 5) << name;
+
+      const auto& values = made->reflectance.values;
+      const auto [least, most] = std::minmax_element(values.begin(), values.end());
+      EXPECT_GE(*least, 0) << name;
+      EXPECT_LE(*most, 1) << name;
+    }
+}
+
+TEST(MakeMetamer, AddsNothingNarrow) {
+  // Steepest of cosines that reach ±1 together: a paint's flanks are no steeper than half of 47 nm.
+  const Spectrum grey = {{500}, {0.5}};
+  const auto made =
+      make_metamer(grey, *cie::illuminant("D65"), *cie::illuminant("A"), Observer::cie_1931_2deg);
+  ASSERT_TRUE(made);
+  // Bernstein's inequality: |f'| ≤ degree · max|f|, in radians over 470 nm for π.
+  const auto& values = made->reflectance.values;
+  for (std::size_t i = 1; i < values.size(); ++i)
+    EXPECT_LE(std::abs(values[i] - values[i - 1]), 10 * 0.5 * 3.1416 / 470 * 1.001);
+}
+
+TEST(MakeMetamer, IsAsFarInsideASmallerBoxOrNearer) {
+  // A paint of less contrast leaves more room: it has a farther metamer than a bright, nearly white
+  // one.
+  const auto far = [](double grey) {
+    return make_metamer({{500}, {grey}}, *cie::illuminant("D65"), *cie::illuminant("F11"),
+                        Observer::cie_1931_2deg)
+        ->de00;
+  };
+  EXPECT_GT(far(0.5), far(0.9));
+  EXPECT_GT(far(0.9), far(0.99));
+}
+
+std::string error_of(const Spectrum& paint, const char* under, const char* against) {
+  const auto made = make_metamer(paint, *cie::illuminant(under), *cie::illuminant(against),
+                                 Observer::cie_1931_2deg);
+  return made ? "" : made.error().message;
+}
+
+TEST(MakeMetamer, OfWhatHasNoneIsAnError) {
+  const char* none = "no smooth reflectance in 0..1 matches it there and differs from it elsewhere";
+  EXPECT_EQ(error_of({{500}, {1}}, "D65", "A"), none) << "white";
+  EXPECT_EQ(error_of({{500}, {0}}, "D65", "A"), none) << "black";
+  EXPECT_EQ(error_of({{500}, {0.5}}, "D65", "D65"), none) << "one light";
+  EXPECT_EQ(error_of({{400, 500}, {0.5, 1.5}}, "D65", "A"),
+            "a reflectance lies in 0..1 (at 500 nm it is 1.5)");
+}
+
+}  // namespace
+}  // namespace metamer
