@@ -14,6 +14,7 @@
 #include <random>
 
 #include "common/color/srgb.h"
+#include "image_file.h"
 
 // OpenImageIO's PNG reader leaks the text of each error: libpng jumps out of the call that holds
 // it. Often the leak checker sees no more of that call than libstdc++'s assignment.
@@ -26,26 +27,6 @@ namespace metamer {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder of its own for each test, gone afterwards.
-class ImageFile : public testing::Test {
- protected:
-  ImageFile() {
-    std::string name = (fs::temp_directory_path() / "metamer-image-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~ImageFile() override { fs::remove_all(folder_); }
-
-  std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_)) {
-      names.push_back(entry.path().filename().string());
-    }
-    return names;
-  }
-
-  fs::path folder_;
-};
 
 /// An XYZ image, one pixel high, of linear RGB values.
 Image row_of(const std::vector<srgb::Rgb>& linear) {
