@@ -23,6 +23,8 @@ ExitCode show_model(const ShowModelOptions& options);
 ExitCode plot_models(const PlotOptions& options);
 
 ExitCode bench_models(const BenchOptions& options);
+ExitCode tradeoff(const TradeoffOptions& options);
+ExitCode compare(const CompareOptions& options);
 
 /// What words that make no sense come to with --json: a document that says why.
 ExitCode refuse_words(const std::string& why);

@@ -21,6 +21,8 @@ struct AllOptions {
   ShowModelOptions show_model;
   PlotOptions plot;
   BenchOptions bench;
+  TradeoffOptions tradeoff;
+  CompareOptions compare;
 };
 
 void add_scene_commands(CLI::App& app, AllOptions& all, Action& chosen) {
@@ -152,6 +154,8 @@ int run(int argc, char** argv) {
   add_job_commands(app, all, chosen);
   add_models_commands(app, all, chosen);
   add_bench_commands(app, all, chosen);
+  add_tradeoff(app, all.tradeoff, chosen);
+  add_compare(app, all.compare, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

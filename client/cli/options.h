@@ -117,4 +117,25 @@ struct BenchOptions {
   std::uint32_t rounds = 5;
 };
 
+struct TradeoffOptions {
+  CommonOptions common;
+  std::string scene;
+  Overrides overrides;  ///< But for the method.
+  std::string folder;   ///< Made when it is not there.
+  std::uint32_t rounds = 3;
+};
+
+/// Two picture files; no server.
+struct CompareOptions {
+  bool json = false;
+  std::string a, b;
+  std::string metric = "de00";             ///< "de00", "deuv", "deab"
+  std::optional<double> max;               ///< More than this anywhere is a failure.
+  std::string output;                      ///< A .png of the differences; empty: none.
+  std::optional<double> scale;             ///< The difference that is drawn white.
+  std::string white;                       ///< "0.95,1,1.09" or "D50"
+  std::string under;                       ///< What lights reflectances: "F11"
+  std::string observer = "cie-1931-2deg";  ///< or "cie-1964-10deg"
+};
+
 }  // namespace metamer::cli

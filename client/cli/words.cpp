@@ -3,12 +3,13 @@
 namespace metamer::cli {
 
 const char* const footer =
-    "Without --server (or METAMER_SERVER), render, check and bench start a private server and end "
-    "it\n"
-    "again; models needs none; the other commands need one.\n"
+    "Without --server (or METAMER_SERVER), render, check, bench and tradeoff start a private "
+    "server\n"
+    "and end it again; models and compare need none; the other commands need one.\n"
     "\n"
     "Exit codes: 0 done, 2 bad input or usage, 3 no server, 4 job failed, 5 cancelled, 6 the\n"
-    "picture is less accurate or slower than --tolerance or --deadline asked for, 1 otherwise.";
+    "picture is less accurate or slower than --tolerance or --deadline asked for, 1 otherwise\n"
+    "(compare: over --max).";
 
 void add_json(CLI::App& command, bool& json) {
   command.add_flag("--json", json, "one JSON document on stdout");

@@ -27,4 +27,7 @@ void add_job(CLI::App& command, std::uint64_t& job_id);
 void add_overrides(CLI::App& command, Overrides& options);
 void add_output(CLI::App& command, OutputOptions& options);
 
+void add_compare(CLI::App& app, CompareOptions& options, Action& chosen);
+void add_tradeoff(CLI::App& app, TradeoffOptions& options, Action& chosen);
+
 }  // namespace metamer::cli
