@@ -11,6 +11,7 @@ ExitCode render(const RenderOptions& options);
 ExitCode submit(const SubmitOptions& options);
 ExitCode check(const CheckOptions& options);
 ExitCode explain(const ExplainOptions& options);
+ExitCode relight(const RelightOptions& options);
 ExitCode jobs(const JobsOptions& options);
 ExitCode watch(const WatchOptions& options);
 ExitCode fetch(const FetchOptions& options);
@@ -31,6 +32,8 @@ ExitCode convert_spectra(const ConvertOptions& options);
 ExitCode find_metamer(const MetamerOptions& options);
 
 ExitCode bench_models(const BenchOptions& options);
+ExitCode tradeoff(const TradeoffOptions& options);
+ExitCode compare(const CompareOptions& options);
 
 /// What words that make no sense come to with --json: a document that says why.
 ExitCode refuse_words(const std::string& why);

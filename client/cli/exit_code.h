@@ -5,7 +5,9 @@ namespace metamer::cli {
 /// What the program says to the shell; README.md and --help list the same.
 enum class ExitCode : int {
   done = 0,
-  other = 1,      ///< Anything that has no number of its own: the disk is full, say.
+  /// Anything that has no number of its own: the disk is full, say; of `compare`, that the pictures
+  /// differ by more than --max.
+  other = 1,
   bad_input = 2,  ///< Bad input or usage.
   no_server = 3,  ///< No server there, or it was lost.
   job_failed = 4,

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "client/cli/figure.h"
+#include "client/cli/gnuplot.h"
 #include "common/problem.h"
 
 namespace metamer::cli {
@@ -28,14 +29,7 @@ std::string text(double value) {
   return number_text(std::round(value * 1e6) / 1e6);
 }
 
-/// In single quotes gnuplot takes every character as it is, but for the quote.
-std::string quote(const std::string& words) {
-  std::string result = "'";
-  for (const char c : words) result += c == '\'' ? "''" : std::string(1, c);
-  return result + "'";
-}
-
-std::string color_of(std::size_t curve) { return quote(colors[curve % colors.size()]); }
+std::string color_of(std::size_t curve) { return gnuplot_quote(colors[curve % colors.size()]); }
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
@@ -56,15 +50,15 @@ std::string polar_grid(const Scale& scale) {
     script += "set object circle at 0,0 size " + text(radius) +
               " arc [0:180] nowedge back fc rgb '" + (ring == rings ? "#888888" : grid_color) +
               "' lw 1\n";
-    script += "set label " + quote(text(ring * scale.step)) + " at " + text(radius) +
+    script += "set label " + gnuplot_quote(text(ring * scale.step)) + " at " + text(radius) +
               ",-0.05 center font ',9' tc rgb '" + grey + "'\n";
   }
   for (int degrees = -90; degrees <= 90; degrees += 15) {
     script += "set arrow from 0,0 to " + point(degrees, 1) + " nohead back lc rgb '" +
               (degrees == 0 ? "#888888" : grid_color) + "' lw 1\n";
     if (degrees % 30 == 0)
-      script += "set label " + quote(degrees_text(degrees)) + " at " + point(degrees, 1.085) +
-                " center font ',10' tc rgb '" + grey + "'\n";
+      script += "set label " + gnuplot_quote(degrees_text(degrees)) + " at " +
+                point(degrees, 1.085) + " center font ',10' tc rgb '" + grey + "'\n";
   }
   return script;
 }
@@ -98,7 +92,7 @@ struct Frame {
 /// The title and the curves' names, and the room that they leave: the axis stands at `below`, the
 /// names that much lower.
 std::string margins(const Panel& panel, const Frame& frame, double below, double key_gap) {
-  return "set label " + quote(panel.title) + " at " + frame.x(panel_width / 2) + "," +
+  return "set label " + gnuplot_quote(panel.title) + " at " + frame.x(panel_width / 2) + "," +
          frame.y(frame.height - 20) + " center font ',12'\nset lmargin at " + frame.x(74) +
          "\nset rmargin at " + frame.x(panel_width - 36) + "\nset tmargin at " +
          frame.y(frame.height - 44) + "\nset bmargin at " + frame.y(below) + "\nset key at " +
@@ -112,8 +106,8 @@ std::string polar_panel(const Panel& panel, const Scale& scale, const Frame& fra
       "set size ratio -1\nunset border\nunset tics\nunset xlabel\nunset ylabel\nunset grid\n"
       "set xrange [-1.16:1.16]\nset yrange [-0.06:1.14]\n";
   script += polar_grid(scale) + incidence_arrows(panel);
-  script +=
-      "set label " + quote(panel.value) + " at 1,-0.13 center font ',10' tc rgb '" + grey + "'\n";
+  script += "set label " + gnuplot_quote(panel.value) + " at 1,-0.13 center font ',10' tc rgb '" +
+            grey + "'\n";
   return script;
 }
 
@@ -124,8 +118,8 @@ std::string straight_panel(const Panel& panel, const Scale& scale, const Frame& 
          "'\nset ytics nomirror out " + text(scale.step) + " format '%g' font ',10' tc rgb '" +
          grey + "'\nset grid back lc rgb '" + grid_color + "' lw 1 lt 1\nset xrange [" +
          text(from) + ":" + text(to) + "]\nset yrange [0:" + text(scale.top * 1.02) +
-         "]\nset xlabel " + quote(panel.angle) + " font ',11' tc rgb '" + grey + "'\nset ylabel " +
-         quote(panel.value) + " font ',11' tc rgb '" + grey + "'\n";
+         "]\nset xlabel " + gnuplot_quote(panel.angle) + " font ',11' tc rgb '" + grey +
+         "'\nset ylabel " + gnuplot_quote(panel.value) + " font ',11' tc rgb '" + grey + "'\n";
 }
 
 /// The numbers of one panel as data blocks $d0, $d1, …, and the command that draws them.
@@ -144,7 +138,7 @@ std::string plot_command(const Panel& panel, const Scale& scale) {
     data += "EOD\n";
     plots += (c == 0 ? "plot " : ", ") + block + " using 1:2 with lines lw 2.4 lc rgb " +
              color_of(c) + " dt " + (c < colors.size() ? "1" : "2") + " title " +
-             quote(curve.label);
+             gnuplot_quote(curve.label);
   }
   return data + plots + "\n";
 }
@@ -200,10 +194,10 @@ std::string gnuplot_script(const Figure& figure) {
       "set encoding utf8\nset minussign\nset terminal pngcairo noenhanced rounded size " +
       text(width) + "," + text(height) +
       " font 'DejaVu Sans,11' background '#FFFFFF'\nset multiplot\n";
-  script += "set label " + quote(figure.title) + " at " + picture.x(width / 2) + "," +
+  script += "set label " + gnuplot_quote(figure.title) + " at " + picture.x(width / 2) + "," +
             picture.y(height - 32) + " center font ',15'\n";
   for (std::size_t i = 0; i < lines.size(); ++i)
-    script += "set label " + quote(lines[i]) + " at " + picture.x(width / 2) + "," +
+    script += "set label " + gnuplot_quote(lines[i]) + " at " + picture.x(width / 2) + "," +
               picture.y(foot - line_height * (static_cast<double>(i) + 0.5)) +
               " center font ',9' tc rgb '" + grey + "'\n";
 

@@ -136,4 +136,13 @@ Result<void> draw_png(const std::string& script, const fs::path& file) {
   return {};
 }
 
+std::string gnuplot_quote(const std::string& words) {
+  std::string result = "'";
+  for (const char c : words) {
+    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+    result += c == '\'' ? "''" : std::string(1, control ? '?' : c);
+  }
+  return result + "'";
+}
+
 }  // namespace metamer::cli

@@ -16,4 +16,8 @@ Result<void> write_text_file(const std::filesystem::path& file, const std::strin
 /// a picture (with its own words).
 Result<void> draw_png(const std::string& script, const std::filesystem::path& file);
 
+/// `words` as a script's literal: in single quotes gnuplot takes every character as it is, but for
+/// the quote. Control characters, which could end the line, become `?`.
+std::string gnuplot_quote(const std::string& words);
+
 }  // namespace metamer::cli

@@ -12,6 +12,7 @@ struct AllOptions {
   SubmitOptions submit;
   CheckOptions check;
   ExplainOptions explain;
+  RelightOptions relight;
   JobsOptions jobs;
   WatchOptions watch;
   FetchOptions fetch;
@@ -22,6 +23,8 @@ struct AllOptions {
   PlotOptions plot;
   SpectraCommands spectra;
   BenchOptions bench;
+  TradeoffOptions tradeoff;
+  CompareOptions compare;
 };
 
 void add_scene_commands(CLI::App& app, AllOptions& all, Action& chosen) {
@@ -155,6 +158,9 @@ int run(int argc, char** argv) {
   add_models_commands(app, all, chosen);
   add_spectra_commands(app, all.spectra, chosen);
   add_bench_commands(app, all, chosen);
+  add_tradeoff(app, all.tradeoff, chosen);
+  add_relight(app, all.relight, chosen);
+  add_compare(app, all.compare, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -44,7 +44,7 @@ struct Overrides {
 /// Where pictures go. An .exr holds linear RGB, or XYZ.
 struct OutputOptions {
   std::vector<std::string> files;
-  std::string exr = "rgb";             ///< "rgb", "xyz"
+  std::string exr = "rgb";             ///< "rgb", "xyz", "spectral", "spectral:400:700:10"
   std::optional<std::string> factors;  ///< For relighting; "": beside the first picture.
 };
 
@@ -100,6 +100,16 @@ struct ControlOptions {
 
 struct InfoOptions {
   CommonOptions common;
+};
+
+struct RelightOptions {
+  bool json = false;
+  std::string file;                    ///< What --keep-factors wrote.
+  std::vector<std::string> lights;     ///< "ceiling=F11", "*=lamp.txt", "key=lamps.sp#warm"
+  std::vector<std::string> materials;  ///< "door=red.sp", "door.specular=gloss.txt"
+  std::optional<std::string> observer;
+  DevelopmentOptions development;
+  OutputOptions output;
 };
 
 // The models need no server, so these have no CommonOptions.
@@ -185,6 +195,27 @@ struct BenchOptions {
   CommonOptions common;
   Overrides overrides;
   std::uint32_t rounds = 5;
+};
+
+struct TradeoffOptions {
+  CommonOptions common;
+  std::string scene;
+  Overrides overrides;  ///< But for the method.
+  std::string folder;   ///< Made when it is not there.
+  std::uint32_t rounds = 3;
+};
+
+/// Two picture files; no server.
+struct CompareOptions {
+  bool json = false;
+  std::string a, b;
+  std::string metric = "de00";             ///< "de00", "deuv", "deab"
+  std::optional<double> max;               ///< More than this anywhere is a failure.
+  std::string output;                      ///< A .png of the differences; empty: none.
+  std::optional<double> scale;             ///< The difference that is drawn white.
+  std::string white;                       ///< "0.95,1,1.09" or "D50"
+  std::string under;                       ///< What lights reflectances: "F11"
+  std::string observer = "cie-1931-2deg";  ///< or "cie-1964-10deg"
 };
 
 }  // namespace metamer::cli

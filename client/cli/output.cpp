@@ -6,12 +6,13 @@
 #include <cerrno>
 #include <cstring>
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <map>
 #include <set>
 
-#include "client/cli/development.h"
+#include "client/cli/pictures.h"
 
 namespace metamer::cli {
 namespace {
@@ -39,47 +40,23 @@ std::string objection(const std::string& file, bool factors) {
   return {};
 }
 
-std::map<std::string, std::string> metadata(const Followed& followed, const std::string& name) {
-  std::map<std::string, std::string> values = {{"metamer:version", METAMER_VERSION},
-                                               {"metamer:scene", name}};
-  google::protobuf::TextFormat::PrintToString(*followed.plan, &values["metamer:plan"]);
-  google::protobuf::TextFormat::PrintToString(followed.last.finished().timing(),
-                                              &values["metamer:timing"]);
-  return values;
-}
-
-std::string counted_pixels(std::size_t count) {
-  return std::to_string(count) + (count == 1 ? " pixel" : " pixels");
-}
-
-void note_gamut(const std::string& file, const std::string& space, const GamutReport& gamut,
-                Report& report) {
-  Problem note;
-  note.file = file;
-  if (gamut.negative > 0) {
-    note.message = counted_pixels(gamut.negative) + " outside the " + space + " gamut, clipped";
-    report.note(note);
-  }
-  if (gamut.above > 0) {
-    note.message = counted_pixels(gamut.above) + " brighter than white, clipped";
-    report.note(note);
-  }
-}
-
 /// Where the factors go.
 fs::path factors_file(const OutputOptions& options) {
   return options.factors->empty() ? fs::path(options.files.front()).replace_extension(".factors")
                                   : fs::path(*options.factors);
 }
 
-/// The factors of a job that keeps them.
-ExitCode write_kept_factors(const OutputOptions& options, Followed& followed, Report& report) {
+bool is_exr(const std::string& file) { return lower_extension(file) == ".exr"; }
+
+/// Some of the files hold spectra.
+bool wants_spectra(const OutputOptions& options) {
+  const auto exr = exr_content(options);
+  return exr && exr->spectral && std::any_of(options.files.begin(), options.files.end(), is_exr);
+}
+
+ExitCode write_kept_factors(const OutputOptions& options, const Factors& factors, Report& report) {
   const fs::path file = factors_file(options);
-  if (!followed.factors) {
-    report.error("--keep-factors: the job keeps no factors; submit it with --keep-factors");
-    return ExitCode::bad_input;
-  }
-  if (const auto written = write_factors(followed.factors->finish(), file); !written) {
+  if (const auto written = write_factors(factors, file); !written) {
     report.problem(written.error(), {});
     return ExitCode::other;
   }
@@ -102,44 +79,37 @@ bool check_output(const OutputOptions& options, Report& report) {
     if (!wrong.empty()) report.error("--output: " + wrong);
     good = good && wrong.empty();
   }
-  if (options.exr != "rgb" && options.exr != "xyz") {
-    report.error("--exr: \"" + options.exr + "\" is neither rgb nor xyz");
+  if (const auto exr = exr_content(options); !exr) {
+    report.error("--exr: " + exr.error().message);
     good = false;
   }
   return good;
 }
 
 Wanted wanted(const OutputOptions& options) {
-  return options.factors ? Wanted::tiles_and_factors : Wanted::tiles;
+  return options.factors || wants_spectra(options) ? Wanted::tiles_and_factors : Wanted::tiles;
 }
 
 ExitCode write_output(const OutputOptions& options, Followed& followed, const std::string& name,
                       Report& report) {
-  const auto planned = planned_developing(*followed.plan);
-  if (!planned) {
-    report.error("the server planned no colour space: " + planned.error().message);
-    return ExitCode::other;
+  std::map<std::string, std::string> metadata = {{"metamer:scene", name}};
+  google::protobuf::TextFormat::PrintToString(followed.last.finished().timing(),
+                                              &metadata["metamer:timing"]);
+  std::optional<Factors> factors;
+  if (followed.factors) factors = followed.factors->finish();
+  if (!factors && wanted(options) == Wanted::tiles_and_factors) {
+    report.error("the job keeps no factors, which " +
+                 std::string(options.factors ? "--keep-factors" : "--exr spectral") +
+                 " needs: submit it with --keep-factors");
+    return ExitCode::bad_input;
   }
-  if (!planned->unadapted.empty())
-    report.note({.field = {}, .file = {}, .message = "not adapted: " + planned->unadapted});
-  const auto values = metadata(followed, name);
-  ExitCode code = ExitCode::done;
-  for (const std::string& file : options.files) {
-    const bool png = lower_extension(file) == ".png";
-    const Result<GamutReport> gamut = write_image(
-        followed.film->image(), file, !png && options.exr == "xyz", values, planned->developing);
-    if (!gamut) {
-      report.problem(gamut.error(), {});
-      code = ExitCode::other;
-      continue;
-    }
-    if (png) note_gamut(file, planned->developing.space.name, *gamut, report);
-    report.document()["files"].push_back(file);
-    report.line(file);
-  }
-  if (options.factors && code == ExitCode::done)
-    code = write_kept_factors(options, followed, report);
-  return code;
+  const ExitCode code =
+      write_pictures(options,
+                     {followed.film->image(), *followed.plan, factors ? &*factors : nullptr,
+                      factors ? &factors->scene : nullptr, std::move(metadata)},
+                     report);
+  if (!options.factors || code != ExitCode::done) return code;
+  return write_kept_factors(options, *factors, report);
 }
 
 }  // namespace metamer::cli

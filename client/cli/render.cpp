@@ -38,7 +38,7 @@ asio::awaitable<ExitCode> render_on(Session& session, Interrupts& interrupts,
                                     Report& report) {
   const auto executor = co_await asio::this_coro::executor;
   Submission submission = make_submission(scene.scene(), scene.assets(), scene.name(), false);
-  submission.request.set_keep_factors(options.output.factors.has_value());
+  submission.request.set_keep_factors(wanted(options.output) == Wanted::tiles_and_factors);
   const Answer<std::uint64_t> job_id = co_await session.submit(submission);
   if (!job_id) co_return report.session_error(job_id.error());
 

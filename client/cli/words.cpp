@@ -3,12 +3,14 @@
 namespace metamer::cli {
 
 const char* const footer =
-    "Without --server (or METAMER_SERVER), render, check and bench start a private server and end "
-    "it\n"
-    "again; models and spectra need none; the other commands need one.\n"
+    "Without --server (or METAMER_SERVER), render, check, bench and tradeoff start a private "
+    "server\n"
+    "and end it again; models, spectra, relight and compare need none; the other commands need "
+    "one.\n"
     "\n"
     "Exit codes: 0 done, 2 bad input or usage, 3 no server, 4 job failed, 5 cancelled, 6 the\n"
-    "picture is less accurate or slower than --tolerance or --deadline asked for, 1 otherwise.";
+    "picture is less accurate or slower than --tolerance or --deadline asked for, 1 otherwise\n"
+    "(compare: over --max).";
 
 void add_json(CLI::App& command, bool& json) {
   command.add_flag("--json", json, "one JSON document on stdout");
@@ -33,7 +35,8 @@ void add_overrides(CLI::App& command, Overrides& options) {
   const auto add = [&](const char* name, auto& value, const char* meaning) {
     return command.add_option(name, value, meaning)->group(group);
   };
-  add("--method", options.method, "how colour is carried: point, linear, exact, prefilter, rgb or auto");
+  add("--method", options.method,
+      "how colour is carried: point, linear, exact, prefilter, rgb or auto");
   add("--samples", options.samples, "point at FROM:TO:STEP nm, such as 400:700:5");
   add("--wavelengths", options.wavelengths, "point at these nm, such as 400,436,546,700");
   add("--fitted", options.fitted, "point at so many nm, 1 to 64, that are chosen for the scene");
@@ -56,18 +59,24 @@ void add_overrides(CLI::App& command, Overrides& options) {
   add_development(command, options.development, group.c_str());
 }
 
-void add_output(CLI::App& command, OutputOptions& options) {
+void add_picture_files(CLI::App& command, OutputOptions& options) {
   command.add_option("-o,--output", options.files, "a .png or .exr; may be given several times")
       ->required()
       ->allow_extra_args(false);
+  command
+      .add_option("--exr", options.exr,
+                  "what an .exr holds: rgb (linear), xyz, spectral or spectral:FROM:TO:STEP nm")
+      ->capture_default_str();
+}
+
+void add_output(CLI::App& command, OutputOptions& options) {
+  add_picture_files(command, options);
   command
       .add_option_function<std::string>(
           "--keep-factors", [&options](const std::string& file) { options.factors = file; },
           "keep what relighting needs, in FILE or beside the first picture as .factors")
       ->type_name("[FILE]")
       ->expected(0, 1);
-  command.add_option("--exr", options.exr, "what an .exr holds: rgb (linear) or xyz")
-      ->capture_default_str();
 }
 
 CLI::App& add_command(CLI::App& app, const char* name, const char* meaning, Action& chosen,

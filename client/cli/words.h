@@ -26,9 +26,15 @@ void add_scene(CLI::App& command, std::string& scene);
 void add_job(CLI::App& command, std::uint64_t& job_id);
 void add_overrides(CLI::App& command, Overrides& options);
 void add_development(CLI::App& command, DevelopmentOptions& options, const char* group);
+/// -o and --exr.
+void add_picture_files(CLI::App& command, OutputOptions& options);
+/// The same and --keep-factors.
 void add_output(CLI::App& command, OutputOptions& options);
 
 /// `metamer spectra` and all below it.
 void add_spectra_commands(CLI::App& app, SpectraCommands& all, Action& chosen);
+void add_relight(CLI::App& app, RelightOptions& options, Action& chosen);
+void add_compare(CLI::App& app, CompareOptions& options, Action& chosen);
+void add_tradeoff(CLI::App& app, TradeoffOptions& options, Action& chosen);
 
 }  // namespace metamer::cli

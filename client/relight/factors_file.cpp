@@ -1,13 +1,11 @@
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 
 #include "client/relight/factors.h"
+#include "common/image/whole_file.h"
 #include "common/scene/limits.h"
 
 namespace metamer {
@@ -81,23 +79,11 @@ Result<void> write_factors(const Factors& factors, const std::filesystem::path& 
   const std::string tables = factors.tables.SerializeAsString();
   const Head head{magic,       version,      factors.width, factors.height,          0,
                   plan.size(), scene.size(), tables.size(), factors.signature.size()};
-  const std::filesystem::path part = file.string() + "." + std::to_string(getpid()) + ".part";
-  std::ofstream out(part, std::ios::binary);
-  const auto write = [&](const void* data, std::size_t bytes) {
-    out.write(static_cast<const char*>(data), static_cast<std::streamsize>(bytes));
-  };
-  write(&head, sizeof head);
-  for (const std::string* text : {&plan, &scene, &tables}) write(text->data(), text->size());
-  write(factors.end.data(), 4 * factors.end.size());
-  write(factors.signature.data(), 4 * factors.signature.size());
-  write(factors.weight.data(), 4 * factors.weight.size());
-  out.close();
-  std::error_code error;
-  if (out) std::filesystem::rename(part, file, error);
-  if (out && !error) return {};
-  const std::string why = out ? error.message() : std::strerror(errno);
-  std::filesystem::remove(part, error);
-  return tl::unexpected(file_problem(file, "can't be written: " + why));
+  const auto bytes = [](const auto& list) { return std::as_bytes(std::span(list)); };
+  return write_whole_file(
+             file, {std::as_bytes(std::span(&head, 1)), bytes(plan), bytes(scene), bytes(tables),
+                    bytes(factors.end), bytes(factors.signature), bytes(factors.weight)})
+      .map_error([&](const Problem& wrong) { return file_problem(file, wrong.message); });
 }
 
 Result<Factors> read_factors(const std::filesystem::path& file) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -56,6 +57,22 @@ struct GamutReport {
 Result<GamutReport> write_image(const Image& xyz_image, const std::filesystem::path& file, bool xyz,
                                 const std::map<std::string, std::string>& metadata,
                                 const Developing& developing = {});
+
+/// What a file says of its picture.
+struct ImageHeader {
+  int width = 0;
+  int height = 0;
+  std::vector<std::string> channels;
+  std::vector<float> chromaticities;  ///< x y of red, green, blue, white; empty: not said.
+  std::string emissive_units;         ///< The attribute emissiveUnits; empty: not said.
+};
+
+/// Of a file that read_image would take as far as its header tells; the same errors.
+Result<ImageHeader> read_header(const std::filesystem::path& file);
+
+/// Those of sRGB, as an EXR's attribute `chromaticities` has them.
+inline constexpr std::array<float, 8> srgb_chromaticities = {0.64F, 0.33F, 0.30F,   0.60F,
+                                                             0.15F, 0.06F, 0.3127F, 0.3290F};
 
 /// Reads a PNG (values as stored, 0..1, not decoded to linear) or an EXR, of at most
 /// max_image_values. Errors name the file; libpng prints a line of its own about a broken PNG.

@@ -1,11 +1,17 @@
 #include <OpenImageIO/imageio.h>
 
+#include <memory>
+
 #include "common/image/image.h"
 #include "common/image/oiio.h"
 
 namespace metamer {
+namespace {
 
-Result<Image> read_image(const std::filesystem::path& file) {
+using Input = std::unique_ptr<OIIO::ImageInput>;
+
+/// Opens a picture and checks what its header says: its numbers decide how much memory is taken.
+Result<Input> open_picture(const std::filesystem::path& file) {
   oiio::stay_in_this_thread();
   if (oiio::format_of(file).empty()) {
     return oiio::file_problem(
@@ -14,8 +20,7 @@ Result<Image> read_image(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return oiio::file_problem(file, "no such file");
 
-  // Look at the header first: its numbers decide how much memory is taken.
-  const auto input = OIIO::ImageInput::open(file.string());
+  Input input = OIIO::ImageInput::open(file.string());
   if (!input) {
     return oiio::file_problem(file,
                               "can't read the picture: " + oiio::first_line(OIIO::geterror()));
@@ -31,11 +36,35 @@ Result<Image> read_image(const std::filesystem::path& file) {
                                         std::to_string(spec.nchannels) + " values, at most " +
                                         std::to_string(max_image_values));
   }
+  return input;
+}
 
+}  // namespace
+
+Result<ImageHeader> read_header(const std::filesystem::path& file) {
+  const Result<Input> input = open_picture(file);
+  if (!input) return tl::unexpected<Problem>(input.error());
+  const OIIO::ImageSpec& spec = (*input)->spec();
+  ImageHeader header;
+  header.width = spec.width;
+  header.height = spec.height;
+  header.channels = spec.channelnames;
+  std::vector<float> chromaticities(8);
+  if (spec.getattribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8),
+                        chromaticities.data()))
+    header.chromaticities = std::move(chromaticities);
+  header.emissive_units = spec.get_string_attribute("emissiveUnits");
+  return header;
+}
+
+Result<Image> read_image(const std::filesystem::path& file) {
+  const Result<Input> input = open_picture(file);
+  if (!input) return tl::unexpected<Problem>(input.error());
+  const OIIO::ImageSpec& spec = (*input)->spec();
   Image image = make_image(spec.width, spec.height, spec.channelnames);
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.pixels.data())) {
+  if (!(*input)->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.pixels.data())) {
     return oiio::file_problem(file,
-                              "can't read the picture: " + oiio::first_line(input->geterror()));
+                              "can't read the picture: " + oiio::first_line((*input)->geterror()));
   }
   return image;
 }

@@ -1,18 +1,14 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
-#include <fcntl.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cassert>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 
 #include "common/image/icc.h"
 #include "common/image/image.h"
 #include "common/image/oiio.h"
+#include "common/image/whole_file.h"
 
 namespace metamer {
 namespace {
@@ -123,42 +119,6 @@ Result<Bytes> encode_file(const Image& image, const std::string& format, bool xy
   return bytes;
 }
 
-bool write_all(int descriptor, const Bytes& bytes) {
-  std::size_t done = 0;
-  while (done < bytes.size()) {
-    const ssize_t written = ::write(descriptor, bytes.data() + done, bytes.size() - done);
-    if (written < 0 && errno != EINTR) return false;
-    if (written > 0) done += static_cast<std::size_t>(written);
-  }
-  return true;
-}
-
-/// Writes beside `file`, then renames: nobody ever sees half of it, and a failure leaves an older
-/// file as it was.
-Result<void> replace_file(const std::filesystem::path& file, const Bytes& bytes) {
-  const auto failure = [&](const std::filesystem::path& left_over) -> Result<void> {
-    const std::string reason = std::strerror(errno);
-    if (!left_over.empty()) ::unlink(left_over.c_str());
-    return problem("can't write the picture: " + reason);
-  };
-  static std::atomic<unsigned> count = 0;
-  const std::filesystem::path part =
-      file.parent_path() / ("." + file.filename().string() + "." + std::to_string(::getpid()) +
-                            "-" + std::to_string(++count) + ".part");
-  const int descriptor =
-      ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
-  if (descriptor < 0) return failure({});
-  if (!write_all(descriptor, bytes)) {
-    const int reason = errno;
-    ::close(descriptor);
-    errno = reason;
-    return failure(part);
-  }
-  if (::close(descriptor) != 0) return failure(part);
-  if (::rename(part.c_str(), file.c_str()) != 0) return failure(part);
-  return {};
-}
-
 }  // namespace
 
 Result<GamutReport> write_image(const Image& xyz_image, const std::filesystem::path& file, bool xyz,
@@ -174,8 +134,9 @@ Result<GamutReport> write_image(const Image& xyz_image, const std::filesystem::p
   if (xyz && format == "png") return oiio::file_problem(file, "XYZ can only be written as .exr");
 
   GamutReport gamut;
-  const auto done = encode_file(xyz_image, format, xyz, metadata, developing, gamut)
-                        .and_then([&](const Bytes& bytes) { return replace_file(file, bytes); });
+  const auto done =
+      encode_file(xyz_image, format, xyz, metadata, developing, gamut)
+          .and_then([&](const Bytes& bytes) { return write_whole_file(file, bytes); });
   if (!done) return oiio::file_problem(file, done.error().message);
   return gamut;
 }

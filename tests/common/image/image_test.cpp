@@ -15,6 +15,7 @@
 
 #include "common/color/adaptation.h"
 #include "common/color/srgb.h"
+#include "image_file.h"
 
 // OpenImageIO's PNG reader leaks the text of each error: libpng jumps out of the call that holds
 // it. Often the leak checker sees no more of that call than libstdc++'s assignment.
@@ -27,26 +28,6 @@ namespace metamer {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder of its own for each test, gone afterwards.
-class ImageFile : public testing::Test {
- protected:
-  ImageFile() {
-    std::string name = (fs::temp_directory_path() / "metamer-image-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~ImageFile() override { fs::remove_all(folder_); }
-
-  std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_)) {
-      names.push_back(entry.path().filename().string());
-    }
-    return names;
-  }
-
-  fs::path folder_;
-};
 
 /// An XYZ image, one pixel high, of linear RGB values.
 Image row_of(const std::vector<srgb::Rgb>& linear) {
@@ -323,11 +304,11 @@ TEST_F(ImageFile, writes_no_other_formats) {
 TEST_F(ImageFile, says_why_a_folder_cant_be_written) {
   const fs::path file = folder_ / "missing" / "a.png";
   EXPECT_EQ(error_of(write_image(noise(2, 2), file, false, {})),
-            file.string() + ": error: can't write the picture: No such file or directory");
+            file.string() + ": error: can't be written: No such file or directory");
   fs::create_directory(folder_ / "taken.png");
   std::ofstream(folder_ / "taken.png" / "x") << "x";
   EXPECT_EQ(error_of(write_image(noise(2, 2), folder_ / "taken.png", false, {})),
-            (folder_ / "taken.png").string() + ": error: can't write the picture: Is a directory");
+            (folder_ / "taken.png").string() + ": error: can't be written: Is a directory");
   EXPECT_EQ(files(), std::vector<std::string>{"taken.png"}) << "nothing is left over";
 }
 
@@ -348,7 +329,7 @@ TEST_F(ImageFile, a_disk_that_fills_up_leaves_the_older_picture) {
     std::signal(SIGXFSZ, handler);
 
     EXPECT_EQ(error_of(result),
-              (folder_ / name).string() + ": error: can't write the picture: File too large");
+              (folder_ / name).string() + ": error: can't be written: File too large");
     EXPECT_EQ(slurp(folder_ / name), before);
     EXPECT_EQ(files().size(), count) << "nothing is left over";
   }

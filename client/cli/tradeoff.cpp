@@ -1,0 +1,274 @@
+// Every method on one scene. All pictures are rendered by the same server, one after the other,
+// round by round: what else the machine does then slows all of them, and the minimum forgets it.
+#include "client/cli/tradeoff.h"
+
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/this_coro.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+
+#include "client/cli/commands.h"
+#include "client/cli/connection.h"
+#include "client/cli/gnuplot.h"
+#include "client/cli/method_text.h"
+#include "client/cli/scene_input.h"
+#include "client/session/film.h"
+#include "common/color/srgb.h"
+#include "common/image/compare.h"
+
+namespace metamer::cli {
+namespace {
+
+namespace asio = boost::asio;
+namespace fs = std::filesystem;
+
+/// A job that ended: its picture where it finished, else why there is none.
+struct Outcome {
+  bool cancelled = false;
+  std::string failure;  ///< Empty: it finished.
+  v1::Plan plan;
+  v1::Timing timing;
+  std::optional<Film> film;
+
+  double seconds() const { return timing.prepare() + timing.render(); }
+};
+
+std::string reason_of(const v1::Failed& failed) {
+  std::string reason = failed.reason();
+  for (const v1::Problem& problem : failed.problem())
+    reason += (reason.empty() ? "" : ": ") +
+              (problem.field().empty() ? "" : problem.field() + ": ") + problem.message();
+  return reason.empty() ? "the job failed" : reason;
+}
+
+Answer<void> take(const v1::JobEvent& event, Outcome& outcome) {
+  switch (event.event_case()) {
+    case v1::JobEvent::kPlanned: {
+      outcome.plan = event.planned().plan();
+      Answer<Film> film = Film::make(outcome.plan);
+      if (!film) return tl::unexpected<SessionError>(std::move(film.error()));
+      outcome.film = std::move(*film);
+      return {};
+    }
+    case v1::JobEvent::kTile:
+      if (!outcome.film)
+        return session_error(SessionError::Kind::disconnected,
+                             "the server sent a tile before its plan");
+      return outcome.film->add(event.tile());
+    case v1::JobEvent::kFinished:
+      outcome.timing = event.finished().timing();
+      return {};
+    case v1::JobEvent::kFailed:
+      outcome.failure = reason_of(event.failed());
+      return {};
+    case v1::JobEvent::kCancelled:
+      outcome.cancelled = true;
+      return {};
+    case v1::JobEvent::kQueued:
+    case v1::JobEvent::kStarted:
+    case v1::JobEvent::kProgress:
+    case v1::JobEvent::kPreview:
+    case v1::JobEvent::kPaused:
+    case v1::JobEvent::kRetrying:
+    case v1::JobEvent::EVENT_NOT_SET:
+      return {};
+  }
+  return {};
+}
+
+asio::awaitable<void> cancel_job(Session& session, std::uint64_t job_id) {
+  // The watched stream tells how it ended; the answer itself adds nothing.
+  co_await session.cancel(job_id);
+}
+
+/// What a run works with.
+struct Bench {
+  Session& session;
+  Interrupts& interrupts;
+  const SceneInput& scene;
+  const TradeoffOptions& options;
+};
+
+/// Renders the scene by a method. Errors: the session's, but for a refusal, which is an outcome.
+asio::awaitable<Answer<Outcome>> render_by(const Bench& bench, const v1::Method& method,
+                                           const std::string& name) {
+  v1::Scene scene = bench.scene.scene();
+  *scene.mutable_settings()->mutable_method() = method;
+  const Submission submission =
+      make_submission(scene, bench.scene.assets(), "tradeoff: " + name, false);
+  Outcome outcome;
+  const Answer<std::uint64_t> job_id = co_await bench.session.submit(submission);
+  if (!job_id && job_id.error().kind == SessionError::Kind::refused) {
+    outcome.failure = job_id.error().message;
+    co_return Answer<Outcome>(std::move(outcome));
+  }
+  if (!job_id) co_return tl::unexpected<SessionError>(job_id.error());
+
+  const auto executor = co_await asio::this_coro::executor;
+  bench.interrupts.on_first([&session = bench.session, executor, id = *job_id] {
+    asio::co_spawn(executor, cancel_job(session, id), asio::detached);
+  });
+  v1::Watch request;
+  request.set_job_id(*job_id);
+  request.set_tiles(true);
+  const Session::OnEvent on_event = [&](const v1::JobEvent& event) { return take(event, outcome); };
+  const Answer<void> watched = co_await bench.session.watch(request, on_event);
+  bench.interrupts.on_first({});
+  if (!watched) co_return tl::unexpected<SessionError>(watched.error());
+  const bool finished = !outcome.cancelled && outcome.failure.empty();
+  if (finished && (!outcome.film || !outcome.film->complete()))
+    co_return session_error(SessionError::Kind::disconnected,
+                            "the server finished the job without all of its tiles");
+  co_return Answer<Outcome>(std::move(outcome));
+}
+
+/// The dominant light's white, at Y = 1; sRGB's where the server gives none.
+Xyz white_of(const v1::Plan& plan) {
+  const auto& white = plan.source_white();
+  if (white.size() != 3 || !(white[0] > 0) || !(white[1] > 0) || !(white[2] > 0))
+    return srgb::to_xyz({1, 1, 1});
+  return {white[0], white[1], white[2]};
+}
+
+/// Compares a picture with the reference and draws the difference. Error: it can't be written.
+Result<void> measure(const Image& image, const Image& reference, const Tradeoff& tradeoff,
+                     const fs::path& folder, TradeoffRow& row) {
+  const auto difference = metamer::compare(image, reference, Metric::de00, tradeoff.white);
+  if (!difference) return tl::unexpected<Problem>(difference.error());
+  row.error = difference->statistics;
+  return false_color(*difference, Metric::de00, 0,
+                     method_text(row.what.settings) + ", against the reference")
+      .and_then([&](const Image& drawn) {
+        return write_image(drawn, folder / ("diff-" + row.what.stem + ".png"), false, {});
+      })
+      .map([](const GamutReport&) {});
+}
+
+void keep_cheapest(const v1::Timing& timing, bool first, TradeoffRow& row) {
+  if (!first && timing.prepare() + timing.render() >= row.seconds()) return;
+  row.prepare = timing.prepare();
+  row.render = timing.render();
+}
+
+void say(const std::string& text) { std::cerr << text << '\n'; }
+
+/// All rounds of all cases. Gives the exit code of what went wrong.
+asio::awaitable<ExitCode> run_cases(const Bench& bench, const Image& reference, Tradeoff& tradeoff,
+                                    Report& report) {
+  for (unsigned round = 1; round <= tradeoff.rounds; ++round) {
+    say("round " + std::to_string(round) + " of " + std::to_string(tradeoff.rounds));
+    for (TradeoffRow& row : tradeoff.rows) {
+      if (!row.failure.empty()) continue;
+      const Answer<Outcome> outcome = co_await render_by(bench, row.what.settings, row.what.stem);
+      if (!outcome) co_return report.session_error(outcome.error());
+      if (outcome->cancelled) {
+        report.error("cancelled");
+        co_return ExitCode::cancelled;
+      }
+      row.failure = outcome->failure;
+      if (!row.failure.empty()) continue;
+      keep_cheapest(outcome->timing, round == 1, row);
+      if (round > 1) continue;
+      const Result<void> measured =
+          measure(outcome->film->image(), reference, tradeoff, bench.options.folder, row);
+      if (!measured) {
+        report.problem(measured.error(), {});
+        co_return ExitCode::other;
+      }
+    }
+  }
+  co_return ExitCode::done;
+}
+
+ExitCode write_results(const Tradeoff& tradeoff, const fs::path& folder, Report& report) {
+  const std::string json =
+      tradeoff_json(tradeoff).dump(2, ' ', false, Json::error_handler_t::replace);
+  ExitCode code = ExitCode::done;
+  const auto keep = [&](const fs::path& file, const Result<void>& written) {
+    if (written) {
+      report.document()["files"].push_back(file.string());
+      report.line(file.string());
+      return;
+    }
+    report.problem(written.error(), {});
+    code = ExitCode::other;
+  };
+  keep(folder / "tradeoff.csv", write_text_file(folder / "tradeoff.csv", tradeoff_csv(tradeoff)));
+  keep(folder / "tradeoff.json", write_text_file(folder / "tradeoff.json", json + "\n"));
+  keep(folder / "tradeoff.png", draw_png(tradeoff_script(tradeoff), folder / "tradeoff.png"));
+  for (const TradeoffRow& row : tradeoff.rows)
+    if (row.failure.empty()) keep(folder / ("diff-" + row.what.stem + ".png"), {});
+  return code;
+}
+
+asio::awaitable<ExitCode> tradeoff_on(const Bench& bench, Report& report) {
+  // The reference also warms the worker up.
+  say("the reference");
+  const Answer<Outcome> reference =
+      co_await render_by(bench, tradeoff_reference(), "the reference");
+  if (!reference) co_return report.session_error(reference.error());
+  if (reference->cancelled || !reference->failure.empty()) {
+    report.error(reference->cancelled ? "cancelled"
+                                      : "the reference can't be rendered: " + reference->failure);
+    co_return reference->cancelled ? ExitCode::cancelled : ExitCode::job_failed;
+  }
+  Tradeoff tradeoff;
+  tradeoff.scene = bench.scene.name();
+  tradeoff.plan = reference->plan;
+  tradeoff.white = white_of(reference->plan);
+  tradeoff.rounds = bench.options.rounds;
+  tradeoff.reference_seconds = reference->seconds();
+  for (TradeoffCase& one : tradeoff_cases()) {
+    tradeoff.rows.emplace_back();
+    tradeoff.rows.back().what = std::move(one);
+  }
+
+  const ExitCode code = co_await run_cases(bench, reference->film->image(), tradeoff, report);
+  if (code != ExitCode::done) co_return code;
+  mark_front(tradeoff.rows);
+  for (const std::string& line : tradeoff_table(tradeoff)) report.line(line);
+  char text[80];
+  std::snprintf(text, sizeof text, "reference: %.4f s; white X %.4f Y %.4f Z %.4f",
+                tradeoff.reference_seconds, tradeoff.white[0], tradeoff.white[1],
+                tradeoff.white[2]);
+  report.line(text);
+  report.document().update(tradeoff_json(tradeoff));
+  co_return write_results(tradeoff, bench.options.folder, report);
+}
+
+/// Whether the options make sense here; says why not.
+bool check_options(const TradeoffOptions& options, Report& report) {
+  const Overrides& overrides = options.overrides;
+  if (overrides.method || overrides.samples || overrides.wavelengths || overrides.bases ||
+      overrides.tolerance || overrides.deadline) {
+    report.error("tradeoff runs every method: options that choose one are not for it");
+    return false;
+  }
+  std::error_code error;
+  fs::create_directories(options.folder, error);
+  if (fs::is_directory(options.folder)) return true;
+  report.error("--output: can't make the folder " + quoted(options.folder) + ": " +
+               error.message());
+  return false;
+}
+
+}  // namespace
+
+ExitCode tradeoff(const TradeoffOptions& options) {
+  Report report(options.common.json);
+  if (!check_options(options, report)) return report.finish(ExitCode::bad_input);
+  const auto scene = SceneInput::load(options.scene, options.overrides, report);
+  if (!scene) return report.finish(ExitCode::bad_input);
+  const ExitCode code =
+      with_any_server(options.common, report,
+                      [&](Session& session, Interrupts& interrupts) -> asio::awaitable<ExitCode> {
+                        const Bench bench{session, interrupts, *scene, options};
+                        co_return co_await tradeoff_on(bench, report);
+                      });
+  return report.finish(code);
+}
+
+}  // namespace metamer::cli

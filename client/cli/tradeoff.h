@@ -1,0 +1,63 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "client/cli/json.h"
+#include "common/color/error_statistics.h"
+#include "common/color/xyz.h"
+#include "metamer/v1/plan.pb.h"
+#include "metamer/v1/scene.pb.h"
+
+/// The parts of `metamer tradeoff`: which methods are run, what they came to, and how that is
+/// shown.
+namespace metamer::cli {
+
+/// One method with its parameters.
+struct TradeoffCase {
+  std::string method;      ///< "linear"
+  std::string parameters;  ///< "4 bases, observer"; empty: it has none.
+  std::string stem;        ///< Of file names: "linear-4-observer".
+  v1::Method settings;
+};
+
+/// What a case came to: the cheapest of its rounds, and its difference (ΔE00) from the reference.
+struct TradeoffRow {
+  TradeoffCase what;
+  std::string failure;  ///< Why there is nothing else; empty: it rendered.
+  double prepare = 0;   ///< Seconds, of the round with the smallest sum.
+  double render = 0;    ///< Seconds.
+  ErrorStatistics error;
+  bool front = false;  ///< No other is both cheaper and more accurate.
+
+  double seconds() const { return prepare + render; }
+};
+
+/// All that a run found.
+struct Tradeoff {
+  std::string scene;
+  v1::Plan plan;  ///< Of the reference.
+  Xyz white{};    ///< Of the differences.
+  unsigned rounds = 0;
+  double reference_seconds = 0;
+  std::vector<TradeoffRow> rows;
+};
+
+/// Point sampling at every nm from 360 to 830, which the others are measured against.
+v1::Method tradeoff_reference();
+/// Every method over its parameters; the naive rgb comes first.
+std::vector<TradeoffCase> tradeoff_cases();
+
+/// Marks the Pareto front of the rows that rendered: ordered by seconds, each of it has a smaller
+/// 95th percentile than all that are cheaper.
+void mark_front(std::vector<TradeoffRow>& rows);
+
+/// The rows as people read them, a line each, after a line of headings.
+std::vector<std::string> tradeoff_table(const Tradeoff& tradeoff);
+/// RFC 4180, UTF-8, a line a row; numbers read back as the same doubles.
+std::string tradeoff_csv(const Tradeoff& tradeoff);
+Json tradeoff_json(const Tradeoff& tradeoff);
+/// Makes gnuplot draw seconds against ΔE00 on logarithmic axes, with the front and its names.
+std::string tradeoff_script(const Tradeoff& tradeoff);
+
+}  // namespace metamer::cli

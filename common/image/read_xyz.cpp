@@ -1,0 +1,162 @@
+#include "common/image/read_xyz.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "common/color/srgb.h"
+#include "common/color/xyz.h"
+#include "common/image/oiio.h"
+#include "common/image/spectral_exr.h"
+
+namespace metamer {
+namespace {
+
+namespace fs = std::filesystem;
+using Places = std::array<std::size_t, 3>;
+
+std::optional<std::size_t> find(const std::vector<std::string>& channels, const char* name) {
+  const auto found = std::find(channels.begin(), channels.end(), name);
+  if (found == channels.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - channels.begin());
+}
+
+/// Where the three channels are; nothing when one is missing.
+std::optional<Places> find_all(const std::vector<std::string>& channels,
+                               const std::array<const char*, 3>& names) {
+  Places places{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto place = find(channels, names[c]);
+    if (!place) return std::nullopt;
+    places[c] = *place;
+  }
+  return places;
+}
+
+/// X Y Z of every pixel, by `convert` from the values at three places.
+template <class Convert>
+Image converted(const Image& from, const Places& places, const Convert& convert) {
+  Image result = make_image(from.width, from.height, {"X", "Y", "Z"});
+  const std::size_t channels = from.channels.size(), pixels = result.pixels.size() / 3;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const float* pixel = from.pixels.data() + i * channels;
+    const Xyz xyz =
+        convert(std::array<double, 3>{pixel[places[0]], pixel[places[1]], pixel[places[2]]});
+    for (std::size_t c = 0; c < 3; ++c) result.pixels[3 * i + c] = static_cast<float>(xyz[c]);
+  }
+  return result;
+}
+
+/// The space of an EXR's chromaticities.
+Result<RgbSpace> space_of(const std::vector<float>& c) {
+  return make_rgb_space("", "", {{c[0], c[1]}, {c[2], c[3]}, {c[4], c[5]}, {c[6], c[7]}}, {})
+      .map_error([](Problem wrong) {
+        wrong.message = "its chromaticities make no RGB space: " + wrong.message;
+        return wrong;
+      });
+}
+
+Result<XyzPicture> from_png(const Image& image) {
+  if (const auto alpha = find(image.channels, "A"))
+    for (std::size_t i = *alpha; i < image.pixels.size(); i += image.channels.size())
+      if (image.pixels[i] != 1) return problem("the picture has transparent pixels");
+  auto places = find_all(image.channels, {"R", "G", "B"});
+  if (!places) places = find_all(image.channels, {"Y", "Y", "Y"});
+  if (!places) return problem("the picture is neither grey nor RGB");
+  XyzPicture result;
+  result.image = converted(image, *places, [](std::array<double, 3> value) {
+    for (double& one : value) one = srgb::decode(one);
+    return srgb::to_xyz(value);
+  });
+  result.what = "sRGB";
+  return result;
+}
+
+Result<XyzPicture> from_exr(const Image& image, const ImageHeader& header) {
+  XyzPicture result;
+  if (const auto places = find_all(image.channels, {"X", "Y", "Z"})) {
+    result.image = converted(image, *places, [](const Xyz& xyz) { return xyz; });
+    result.what = "X Y Z";
+    return result;
+  }
+  const auto places = find_all(image.channels, {"R", "G", "B"});
+  if (!places) {
+    std::string names;
+    for (std::size_t c = 0; c < std::min<std::size_t>(4, image.channels.size()); ++c)
+      names += (c ? ", " : "") + quoted(image.channels[c]);
+    return problem("the picture has neither X Y Z nor R G B nor a spectrum; its channels are " +
+                   names + (image.channels.size() > 4 ? ", …" : ""));
+  }
+
+  // sRGB's own matrix where nothing else is said, so that what `render` writes comes back.
+  const bool other = !header.chromaticities.empty() &&
+                     !std::equal(srgb_chromaticities.begin(), srgb_chromaticities.end(),
+                                 header.chromaticities.begin());
+  if (!other) {
+    result.image =
+        converted(image, *places, [](const srgb::Rgb& rgb) { return srgb::to_xyz(rgb); });
+    result.what = "linear sRGB";
+    return result;
+  }
+  const auto space = space_of(header.chromaticities);
+  if (!space) return tl::unexpected<Problem>(space.error());
+  result.image =
+      converted(image, *places, [&](const Rgb& rgb) { return multiply(space->to_xyz, rgb); });
+  result.what = "linear RGB of the file's own primaries";
+  return result;
+}
+
+Result<XyzPicture> from_spectra(const SpectralImage& spectra, const Viewing& viewing) {
+  if (spectra.reflectance && viewing.under == nullptr)
+    return problem("the picture is a reflectance: it needs a light (--under)");
+  auto wavelengths = Wavelengths::listed(spectra.nm);
+  if (!wavelengths) return tl::unexpected<Problem>(std::move(wavelengths.error()));
+  ObserverWeights observer = observer_weights(viewing.observer, *wavelengths);
+  if (spectra.reflectance) {
+    // Multiply the light into the observer, at luminance 1.
+    const auto power = resample(*viewing.under, spectra.nm, Outside::zero).values;
+    const double scale = luminance_scale(observer, power, 1);
+    if (scale == 0) return problem("the light has no power at the picture's wavelengths");
+    for (auto& weights : observer.weights)
+      for (std::size_t b = 0; b < weights.size(); ++b) weights[b] *= scale * power[b];
+  }
+
+  XyzPicture result;
+  result.image = make_image(spectra.width, spectra.height, {"X", "Y", "Z"});
+  std::vector<double> power(spectra.nm.size());
+  for (std::size_t i = 0; i < result.image.pixels.size() / 3; ++i) {
+    std::copy_n(spectra.values.data() + i * power.size(), power.size(), power.begin());
+    const Xyz xyz = to_xyz(observer, power);
+    for (std::size_t c = 0; c < 3; ++c) result.image.pixels[3 * i + c] = static_cast<float>(xyz[c]);
+  }
+  result.what = std::string(spectra.reflectance ? "a reflectance" : "an emission") + " at " +
+                std::to_string(power.size()) + (power.size() == 1 ? " wavelength" : " wavelengths");
+  if (spectra.polarised) result.what += ", its polarisation left aside";
+  result.units = spectra.units;
+  result.lit = spectra.reflectance;
+  return result;
+}
+
+Result<XyzPicture> read(const fs::path& file, const Viewing& viewing) {
+  if (oiio::format_of(file) == "exr") {
+    const auto spectra = read_spectral_exr(file);
+    if (!spectra) return tl::unexpected<Problem>(spectra.error());
+    if (*spectra) return from_spectra(**spectra, viewing);
+  }
+  const auto header = read_header(file);
+  if (!header) return tl::unexpected<Problem>(header.error());
+  const auto image = read_image(file);
+  if (!image) return tl::unexpected<Problem>(image.error());
+  return oiio::format_of(file) == "png" ? from_png(*image) : from_exr(*image, *header);
+}
+
+}  // namespace
+
+Result<XyzPicture> read_xyz(const fs::path& file, const Viewing& viewing) {
+  Result<XyzPicture> result = read(file, viewing);
+  if (!result) return oiio::file_problem(file, result.error().message);
+  return result;
+}
+
+}  // namespace metamer

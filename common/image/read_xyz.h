@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "common/image/image.h"
+#include "common/spectral/cie.h"
+
+namespace metamer {
+
+/// How spectra become X Y Z.
+struct Viewing {
+  cie::Observer observer = cie::Observer::cie_1931_2deg;
+  const Spectrum* under = nullptr;  ///< What lights a reflectance, at luminance 1; null: nothing.
+};
+
+/// A picture as X Y Z, whatever its file holds.
+struct XyzPicture {
+  Image image;
+  std::string what;   ///< What the file holds: "sRGB", "a reflectance at 31 wavelengths".
+  std::string units;  ///< Of an emission, as SpectralImage has them; else empty.
+  bool lit = false;   ///< `Viewing::under` had a part in it.
+};
+
+/// Reads
+///   - a .png as sRGB, decoded; grey is R = G = B;
+///   - an .exr with channels X, Y, Z as it is;
+///   - an .exr with R, G, B as linear, by its chromaticities, by sRGB's where it names none;
+///   - a spectral .exr (see spectral_exr.h) through the observer: an emission by E[3.2-2], a
+///     reflectance lit by `under`.
+/// Errors name the file: those of read_image and read_spectral_exr, other channels, transparent
+/// pixels in a .png, chromaticities that make no RGB space, a reflectance where nothing lights it.
+Result<XyzPicture> read_xyz(const std::filesystem::path& file, const Viewing& viewing);
+
+}  // namespace metamer

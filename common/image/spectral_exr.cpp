@@ -1,0 +1,194 @@
+#include "common/image/spectral_exr.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include "common/color/srgb.h"
+#include "common/image/oiio.h"
+#include "common/image/whole_file.h"
+#include "common/spectral/wavelengths.h"
+
+namespace metamer {
+namespace {
+
+namespace fs = std::filesystem;
+using Kind = SpectralChannel::Kind;
+
+constexpr int rows_at_a_time = 64;  ///< So that no second picture is held.
+
+/// R, G, B and then the wavelengths. Error: two wavelengths have one name.
+Result<std::vector<std::string>> channel_names(const SpectralImage& image) {
+  std::vector<std::string> names = {"R", "G", "B"};
+  for (const double nm : image.nm) {
+    const std::string name = spectral_channel_name(
+        {.kind = image.reflectance ? Kind::reflectance : Kind::emission, .nm = nm});
+    if (name == names.back())
+      return problem("two wavelengths are too close for the channel name " + quoted(name));
+    names.push_back(name);
+  }
+  return names;
+}
+
+OIIO::ImageSpec make_spec(const SpectralImage& image, std::vector<std::string> names,
+                          const std::map<std::string, std::string>& metadata) {
+  OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(names.size()),
+                       OIIO::TypeDesc::FLOAT);
+  spec.channelnames = std::move(names);
+  spec.attribute("compression", "zip");
+  spec.attribute("spectralLayoutVersion", "1.0");
+  if (!image.reflectance) spec.attribute("emissiveUnits", radiance_units);
+  spec.attribute("EV", 0.0F);
+  spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8),
+                 srgb_chromaticities.data());
+  for (const auto& [name, text] : metadata) spec.attribute(name, text);
+  return spec;
+}
+
+/// Rows from y to end: R, G, B, then the spectrum, pixel by pixel.
+std::vector<float> interleaved(const SpectralImage& image, const Image& preview, int y, int end) {
+  const std::size_t bands = image.nm.size();
+  const auto width = static_cast<std::size_t>(image.width);
+  const std::size_t first = static_cast<std::size_t>(y) * width;
+  const std::size_t count = static_cast<std::size_t>(end - y) * width;
+  std::vector<float> values(count * (bands + 3));
+  for (std::size_t i = 0; i < count; ++i) {
+    float* const pixel = values.data() + i * (bands + 3);
+    to_linear_rgb(srgb::from_xyz_matrix(), preview.pixels.data() + 3 * (first + i), pixel, 1);
+    std::copy_n(image.values.data() + (first + i) * bands, bands, pixel + 3);
+  }
+  return values;
+}
+
+Result<std::vector<unsigned char>> encode(const SpectralImage& image, const Image& preview,
+                                          const OIIO::ImageSpec& described) {
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  const auto output = OIIO::ImageOutput::create("exr");
+  if (!output) return problem("can't write exr: " + oiio::first_line(OIIO::geterror()));
+  output->threads(1);
+  OIIO::ImageSpec spec = described;
+  OIIO::Filesystem::IOProxy* proxy = &memory;
+  spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+  bool good = output->open("memory.exr", spec);
+  for (int y = 0; good && y < image.height; y += rows_at_a_time) {
+    const int end = std::min(image.height, y + rows_at_a_time);
+    const std::vector<float> rows = interleaved(image, preview, y, end);
+    good = output->write_scanlines(y, end, 0, OIIO::TypeDesc::FLOAT, rows.data());
+  }
+  good = good && output->close();
+  if (!good) return problem("can't encode the picture: " + oiio::first_line(output->geterror()));
+  return bytes;
+}
+
+/// A wavelength and where the file keeps it.
+struct Band {
+  double nm;
+  std::size_t channel;
+};
+
+/// The channels of a file's spectrum, by rising wavelength, and what they hold.
+struct Bands {
+  std::vector<Band> bands;
+  bool reflectance = false;
+  bool polarised = false;
+};
+
+Result<void> check_distinct(const std::vector<Band>& bands, const std::vector<std::string>& names) {
+  for (std::size_t i = 1; i < bands.size(); ++i)
+    if (bands[i].nm == bands[i - 1].nm)
+      return problem("channels " + quoted(names[bands[i - 1].channel]) + " and " +
+                     quoted(names[bands[i].channel]) + " are both at " + number_text(bands[i].nm) +
+                     " nm");
+  return {};
+}
+
+Result<Bands> find_bands(const std::vector<std::string>& names) {
+  Bands result;
+  bool emission = false;
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    const auto channel = parse_spectral_channel(names[c]);
+    if (!channel) return tl::unexpected<Problem>(channel.error());
+    if (!*channel) continue;
+    if ((*channel)->kind == Kind::polarisation) {
+      result.polarised = true;
+      continue;
+    }
+    emission = emission || (*channel)->kind == Kind::emission;
+    result.reflectance = result.reflectance || (*channel)->kind == Kind::reflectance;
+    result.bands.push_back({(*channel)->nm, c});
+  }
+  if (emission && result.reflectance)
+    return problem("the picture has an emission (S0.) and a reflectance (T.) as well");
+  if (result.polarised && result.bands.empty())
+    return problem("the picture has channels S1. to S3., but no S0.");
+  if (result.bands.size() > Wavelengths::max_count)
+    return problem("the picture has " + std::to_string(result.bands.size()) +
+                   " wavelengths, at most " + std::to_string(Wavelengths::max_count) +
+                   " are possible");
+  std::sort(result.bands.begin(), result.bands.end(),
+            [](const Band& a, const Band& b) { return a.nm < b.nm; });
+  if (auto distinct = check_distinct(result.bands, names); !distinct)
+    return tl::unexpected<Problem>(distinct.error());
+  return result;
+}
+
+}  // namespace
+
+Result<void> write_spectral_exr(const SpectralImage& image, const Image& preview,
+                                const fs::path& file,
+                                const std::map<std::string, std::string>& metadata) {
+  assert(image.width == preview.width && image.height == preview.height &&
+         preview.channels.size() == 3);
+  oiio::stay_in_this_thread();
+  if (oiio::format_of(file) != "exr")
+    return oiio::file_problem(
+        file, "spectral pictures are written as .exr, not as " + quoted(file.extension().string()));
+  const auto done =
+      channel_names(image)
+          .and_then([&](std::vector<std::string> names) {
+            return encode(image, preview, make_spec(image, std::move(names), metadata));
+          })
+          .and_then([&](const std::vector<unsigned char>& bytes) {
+            return write_whole_file(file, bytes);
+          });
+  if (!done) return oiio::file_problem(file, done.error().message);
+  return {};
+}
+
+Result<std::optional<SpectralImage>> read_spectral_exr(const fs::path& file) {
+  // The header alone tells whether there is a spectrum, and how large it is.
+  const Result<ImageHeader> header = read_header(file);
+  if (!header) return tl::unexpected<Problem>(header.error());
+  const Result<Bands> found = find_bands(header->channels);
+  if (!found) return oiio::file_problem(file, found.error().message);
+  if (found->bands.empty()) return std::nullopt;
+  Result<Image> image = read_image(file);
+  if (!image) return tl::unexpected<Problem>(image.error());
+  if (image->channels != header->channels) return oiio::file_problem(file, "the file has changed");
+
+  SpectralImage result;
+  result.width = image->width;
+  result.height = image->height;
+  result.reflectance = found->reflectance;
+  result.polarised = found->polarised;
+  if (!found->reflectance) result.units = emissive_units(header->emissive_units);
+  for (const Band& band : found->bands) result.nm.push_back(band.nm);
+
+  // Sort each pixel's values, in place: they only move towards the front.
+  const std::size_t channels = image->channels.size(), bands = result.nm.size();
+  std::vector<float> pixel(bands);
+  const std::size_t pixels = image->pixels.size() / channels;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    for (std::size_t b = 0; b < bands; ++b)
+      pixel[b] = image->pixels[i * channels + found->bands[b].channel];
+    std::copy(pixel.begin(), pixel.end(), image->pixels.data() + i * bands);
+  }
+  image->pixels.resize(pixels * bands);
+  result.values = std::move(image->pixels);
+  return result;
+}
+
+}  // namespace metamer

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <initializer_list>
+#include <span>
+#include <vector>
+
+#include "common/problem.h"
+
+namespace metamer {
+
+/// Writes beside `file`, then renames: nobody ever sees half of it, and a failure leaves an older
+/// file as it was. Errors do not name the file yet.
+Result<void> write_whole_file(const std::filesystem::path& file,
+                              std::initializer_list<std::span<const std::byte>> pieces);
+Result<void> write_whole_file(const std::filesystem::path& file,
+                              const std::vector<unsigned char>& bytes);
+
+}  // namespace metamer

@@ -1,0 +1,81 @@
+#include "common/image/read_xyz.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include "common/color/srgb.h"
+#include "image_file.h"
+
+namespace metamer {
+namespace {
+
+using ReadXyz = ImageFile;
+
+/// One pixel with these channels.
+void write_pixel(const std::filesystem::path& file, const std::vector<std::string>& names,
+                 const std::vector<float>& values, const std::vector<float>& chromaticities = {}) {
+  OIIO::ImageSpec spec(1, 1, static_cast<int>(names.size()),
+                       file.extension() == ".png" ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
+  spec.channelnames = names;
+  if (!chromaticities.empty())
+    spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8),
+                   chromaticities.data());
+  const auto output = OIIO::ImageOutput::create(file.string());
+  ASSERT_TRUE(output->open(file.string(), spec)) << output->geterror();
+  ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, values.data()));
+  ASSERT_TRUE(output->close());
+}
+
+void expect_xyz(const Result<XyzPicture>& picture, const Xyz& expected, double within) {
+  ASSERT_TRUE(picture) << format(picture.error());
+  for (std::size_t c = 0; c < 3; ++c)
+    EXPECT_NEAR(picture->image.at(0, 0)[c], expected[c], within) << c;
+}
+
+TEST_F(ReadXyz, decodes_a_png) {
+  write_pixel(folder_ / "a.png", {"R", "G", "B"}, {1, 0, 188 / 255.0F});
+  expect_xyz(read_xyz(folder_ / "a.png", {}), srgb::to_xyz({1, 0, srgb::decode(188 / 255.0)}),
+             1e-6);
+  write_pixel(folder_ / "grey.png", {"Y"}, {188 / 255.0F});
+  const double grey = srgb::decode(188 / 255.0);
+  expect_xyz(read_xyz(folder_ / "grey.png", {}), srgb::to_xyz({grey, grey, grey}), 1e-6);
+}
+
+TEST_F(ReadXyz, takes_x_y_z_as_they_are) {
+  write_pixel(folder_ / "a.exr", {"Z", "Y", "A", "X"}, {3, 2, 0.5F, 1});
+  expect_xyz(read_xyz(folder_ / "a.exr", {}), {1, 2, 3}, 0);
+}
+
+TEST_F(ReadXyz, goes_by_the_files_chromaticities) {
+  // The red primary of Rec. 2020 (ITU-R BT.2020): x 0.708, y 0.292, and the luminance 0.2627.
+  const std::vector<float> rec_2020 = {0.708F, 0.292F, 0.170F,  0.797F,
+                                       0.131F, 0.046F, 0.3127F, 0.3290F};
+  write_pixel(folder_ / "a.exr", {"R", "G", "B"}, {1, 0, 0}, rec_2020);
+  const double y = 0.2627;
+  expect_xyz(read_xyz(folder_ / "a.exr", {}), {0.708 / 0.292 * y, y, 0}, 1e-4);
+  // Its white is that of sRGB; and without any chromaticities RGB is sRGB.
+  write_pixel(folder_ / "b.exr", {"R", "G", "B"}, {1, 1, 1}, rec_2020);
+  expect_xyz(read_xyz(folder_ / "b.exr", {}), srgb::to_xyz({1, 1, 1}), 1e-5);
+  write_pixel(folder_ / "c.exr", {"R", "G", "B"}, {0.2F, 0.4F, 0.6F});
+  expect_xyz(read_xyz(folder_ / "c.exr", {}), srgb::to_xyz({0.2, 0.4, 0.6}), 1e-6);
+}
+
+TEST_F(ReadXyz, refuses_what_has_no_colour_to_tell) {
+  const auto refused = [&](const char* name) {
+    const auto picture = read_xyz(folder_ / name, {});
+    return picture ? "none" : picture.error().message;
+  };
+  write_pixel(folder_ / "a.exr", {"Y"}, {1});
+  EXPECT_EQ(refused("a.exr"),
+            "the picture has neither X Y Z nor R G B nor a spectrum; its channels are \"Y\"");
+  write_pixel(folder_ / "b.exr", {"R", "G", "B"}, {1, 1, 1}, std::vector<float>(8, 0.3F));
+  EXPECT_EQ(refused("b.exr"), "its chromaticities make no RGB space");
+  write_pixel(folder_ / "c.exr", {"R", "G", "B"}, {1, 1, 1}, std::vector<float>(8, 0.0F));
+  EXPECT_EQ(refused("c.exr"), "its chromaticities make no RGB space");
+  write_pixel(folder_ / "d.png", {"R", "G", "B", "A"}, {1, 1, 1, 0.5F});
+  EXPECT_EQ(refused("d.png"), "the picture has transparent pixels");
+  EXPECT_EQ(refused("nowhere.png"), "no such file");
+  EXPECT_EQ(refused("a.jpg"), "pictures are read from .png or .exr, not from \".jpg\"");
+}
+
+}  // namespace
+}  // namespace metamer
