@@ -125,11 +125,15 @@ asio::awaitable<Answer<Outcome>> render_by(const Bench& bench, const v1::Method&
   co_return Answer<Outcome>(std::move(outcome));
 }
 
-/// The dominant light's white, at Y = 1; sRGB's where the server gives none.
-Xyz white_of(const v1::Plan& plan) {
+/// The dominant light's white, at Y = 1; sRGB's where the server gives none, which is said.
+Xyz white_of(const v1::Plan& plan, Report& report) {
   const auto& white = plan.source_white();
-  if (white.size() != 3 || !(white[0] > 0) || !(white[1] > 0) || !(white[2] > 0))
+  if (white.size() != 3 || !(white[0] > 0) || !(white[1] > 0) || !(white[2] > 0)) {
+    Problem note;
+    note.message = "the plan has no white of the dominant light; that of D65 stands in";
+    report.note(note);
     return srgb::to_xyz({1, 1, 1});
+  }
   return {white[0], white[1], white[2]};
 }
 
@@ -218,7 +222,7 @@ asio::awaitable<ExitCode> tradeoff_on(const Bench& bench, Report& report) {
   Tradeoff tradeoff;
   tradeoff.scene = bench.scene.name();
   tradeoff.plan = reference->plan;
-  tradeoff.white = white_of(reference->plan);
+  tradeoff.white = white_of(reference->plan, report);
   tradeoff.rounds = bench.options.rounds;
   tradeoff.reference_seconds = reference->seconds();
   for (TradeoffCase& one : tradeoff_cases()) {

@@ -83,6 +83,27 @@ class Canvas {
   Image image_;
 };
 
+/// What OpenImageIO 2.4 can draw: it takes other letters' bytes apart wrongly.
+std::string ascii(std::string_view words) {
+  std::string text;
+  for (const char c : words)
+    if ((c & 0xC0) != 0x80) text += c >= 0x20 && c < 0x7F ? c : '?';  // one mark a letter
+  return text;
+}
+
+/// As name_of, in ASCII.
+const char* plain_name_of(Metric metric) {
+  switch (metric) {
+    case Metric::de00:
+      return "Delta E 00";
+    case Metric::deuv:
+      return "Delta E*uv";
+    case Metric::deab:
+      return "Delta E*ab";
+  }
+  return "";
+}
+
 std::string counted_pixels(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " pixel" : " pixels");
 }
@@ -131,7 +152,7 @@ Result<Image> false_color(const Difference& difference, Metric metric, double to
     for (int x = 0; x < difference.width; ++x)
       canvas.set((width - difference.width) / 2 + x, y, color_of(difference.values[i++], top));
 
-  const std::string words = name_of(metric) + (title.empty() ? "" : ", " + std::string(title));
+  const std::string words = plain_name_of(metric) + (title.empty() ? "" : ", " + ascii(title));
   if (!draw_legend(canvas, width, difference.height, top, words, remarks(difference, top)))
     return problem(std::string("the legend can't be drawn without ") + font +
                    "; install the package fonts-dejavu-core");
