@@ -93,7 +93,7 @@ ExitCode normalize_spectra(const NormalizeOptions& options) {
                         " is taken for a reflectance, which has no luminance of its own; "
                         "--as emission says otherwise",
                     report);
-    const Wavelengths wavelengths = summing_wavelengths(one.spectrum);
+    const Wavelengths wavelengths = own_wavelengths(one.spectrum);
     const double factor = luminance_scale(
         observer_weights(*observer, wavelengths),
         resample(one.spectrum, wavelengths.nm(), Outside::zero).values, options.luminance);

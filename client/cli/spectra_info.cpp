@@ -69,7 +69,7 @@ void add_whiteness(const Spectrum& light, const Wavelengths& wavelengths,
 }
 
 void add_emission(const LoadedSpectrum& one, Json& json, std::string& text) {
-  const Wavelengths wavelengths = summing_wavelengths(one.spectrum);
+  const Wavelengths wavelengths = own_wavelengths(one.spectrum);
   const std::vector<double> power = resample(one.spectrum, wavelengths.nm(), Outside::zero).values;
   for (const auto& [word, observer] :
        {std::pair{"cie-1931-2deg", cie::Observer::cie_1931_2deg},
@@ -85,7 +85,7 @@ void add_emission(const LoadedSpectrum& one, Json& json, std::string& text) {
 
 void add_reflectance(const LoadedSpectrum& one, const Spectrum& light, const std::string& under,
                      cie::Observer observer, Json& json, std::string& text) {
-  const Wavelengths wavelengths = summing_wavelengths(light);
+  const Wavelengths wavelengths = fine_wavelengths(light);
   const ObserverWeights lit = under_light(observer_weights(observer, wavelengths),
                                           resample(light, wavelengths.nm(), Outside::zero).values);
   const Xyz white = to_xyz(lit, std::vector<double>(wavelengths.size(), 1.0));

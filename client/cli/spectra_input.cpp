@@ -142,7 +142,14 @@ Result<Wavelengths> wavelengths_of(const std::optional<std::string>& samples,
       [](const v1::Settings& settings) { return point_wavelengths(settings.method().point()); });
 }
 
-Wavelengths summing_wavelengths(const Spectrum& spectrum) {
+Wavelengths own_wavelengths(const Spectrum& spectrum) {
+  const auto& nm = spectrum.nm;
+  double widest = nm.size() > 1 ? 0 : 1000;
+  for (std::size_t i = 1; i < nm.size(); ++i) widest = std::max(widest, nm[i] - nm[i - 1]);
+  return widest <= 5 ? *Wavelengths::listed(nm) : fine_wavelengths(spectrum);
+}
+
+Wavelengths fine_wavelengths(const Spectrum& spectrum) {
   const Wavelengths by_1_nm = *Wavelengths::uniform(360, 830, 1);
   std::vector<double> own, both = by_1_nm.nm();
   for (const double nm : spectrum.nm)

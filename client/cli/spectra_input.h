@@ -40,9 +40,12 @@ Result<cie::Observer> observer_of(const std::string& word);
 Result<Wavelengths> wavelengths_of(const std::optional<std::string>& samples,
                                    const std::optional<std::string>& wavelengths);
 
-/// Where to sum: 360 to 830 nm by 1 nm, and wherever the spectrum itself has samples there, so that
-/// no line falls between.
-Wavelengths summing_wavelengths(const Spectrum& spectrum);
+/// Where to sum E[3.2-2] of a light: at its own samples where they are 5 nm apart at most, as the
+/// CIE does with its tables; else as below.
+Wavelengths own_wavelengths(const Spectrum& light);
+/// At every nm from 360 to 830, as the renderer's reference, and wherever the light itself has
+/// samples there, so that no line falls between.
+Wavelengths fine_wavelengths(const Spectrum& light);
 
 /// Writes the file in the format that the options say, else CGATS where it is called .sp, .cmf or
 /// .ti3, else pairs; without a file prints the text. Errors are reported.

@@ -77,7 +77,7 @@ ExitCode spectra_rgb(const SpectraRgbOptions& options) {
 
   for (const LoadedSpectrum& one : *spectra) {
     const Spectrum& light = one.emission ? one.spectrum : *under;
-    const Wavelengths wavelengths = summing_wavelengths(light);
+    const Wavelengths wavelengths = fine_wavelengths(light);
     const ObserverWeights eye = observer_weights(*observer, wavelengths);
     const Xyz white = to_xyz(eye, resample(light, wavelengths.nm(), Outside::zero).values);
     const auto planned = developing_under(white, development);

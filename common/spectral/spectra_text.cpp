@@ -18,6 +18,12 @@ std::string plain_number(double value) {
   return {text.data(), end};
 }
 
+/// Argyll takes a value without a point for one of a column of integers, and refuses that.
+std::string real_number(double value) {
+  const std::string text = number_text(value);
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
 std::string pairs(const Spectrum& spectrum) {
   std::string text;
   for (std::size_t i = 0; i < spectrum.nm.size(); ++i)
@@ -83,7 +89,7 @@ Result<std::string> cgats(const std::vector<NamedSpectrum>& spectra) {
   std::size_t id = 0;
   for (const NamedSpectrum& one : spectra) {
     text += std::to_string(++id) + " " + quoted_name(one.name);
-    for (const double value : one.spectrum.values) text += " " + number_text(value);
+    for (const double value : one.spectrum.values) text += " " + real_number(value);
     text += "\n";
   }
   return text + "END_DATA\n";

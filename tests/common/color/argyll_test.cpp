@@ -51,9 +51,10 @@ class Argyll : public testing::Test {
     for (std::size_t i = 0; i <= 15; ++i) {
       text += std::to_string(i + 1) + " 0 0 0";
       for (std::size_t k = 0; k < 95; ++k)
-        text += " " +
-                number_text(i == 15 ? 100
-                                    : 100 * cie::test_color(cie::test_color_names()[i])->values[k]);
+        // With a point, without which Argyll reads integers.
+        text +=
+            " " + std::to_string(
+                      i == 15 ? 100 : 100 * cie::test_color(cie::test_color_names()[i])->values[k]);
       text += "\n";
     }
     return text + "END_DATA\n";
@@ -109,7 +110,6 @@ class Argyll : public testing::Test {
 
 TEST_F(Argyll, AgreesOnXyzAndLabOfAllTestColours) {
   const Wavelengths wavelengths = *Wavelengths::uniform(360, 830, 1);
-  double worst_xyz = 0, worst_de00 = 0;
   for (const auto& [word, observer] : {std::pair{"1931_2", cie::Observer::cie_1931_2deg},
                                        std::pair{"1964_10", cie::Observer::cie_1964_10deg}})
     for (const char* light : {"A", "D50", "D65", "F2", "F7", "F11"}) {
@@ -119,6 +119,10 @@ TEST_F(Argyll, AgreesOnXyzAndLabOfAllTestColours) {
           under_light(observer_weights(observer, wavelengths),
                       resample(*cie::illuminant(light), wavelengths.nm(), Outside::zero).values);
       const Xyz white = to_xyz(lit, std::vector<double>(wavelengths.size(), 1.0));
+      // Both start from samples every 5 nm. Argyll bends a curve through them, we draw straight
+      // lines, which cut corners off x̄, ȳ, z̄ and off mercury's lines: measured, that is up to 0.032
+      // of 100 in X, Y, Z with smooth lights, 0.127 with lamps, and ΔE00 0.056 with all of them.
+      const bool lines = light[0] == 'F';
       for (std::size_t i = 0; i <= 15; ++i) {
         Xyz own = white;
         if (i < 15)
@@ -126,11 +130,10 @@ TEST_F(Argyll, AgreesOnXyzAndLabOfAllTestColours) {
                                      Outside::hold)
                                 .values);
         for (std::size_t c = 0; c < 3; ++c)
-          worst_xyz = std::max(worst_xyz, std::abs(100 * own[c] - theirs[i].xyz[c]));
-        worst_de00 = std::max(worst_de00, delta_e_00(to_lab(own, white), theirs[i].lab));
+          EXPECT_NEAR(100 * own[c], theirs[i].xyz[c], lines ? 0.15 : 0.04) << light << " " << i;
+        EXPECT_LT(delta_e_00(to_lab(own, white), theirs[i].lab), 0.07) << light << " " << i;
       }
     }
-  EXPECT_LT(worst_xyz, 0) << worst_de00;
 }
 
 }  // namespace
