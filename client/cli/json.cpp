@@ -70,7 +70,7 @@ Json value_json(const Message& message, const FieldDescriptor* field, int i) {
 
 bool is_pixels(const FieldDescriptor* field) {
   return field->type() == FieldDescriptor::TYPE_BYTES &&
-         (field->name() == "xyz" || field->name() == "rgb");
+         (field->name() == "xyz" || field->name() == "rgb" || field->name() == "factors");
 }
 
 }  // namespace

@@ -4,9 +4,9 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <set>
 
+#include "common/color/error_statistics.h"
 #include "server/cpu/tracer.h"
 
 namespace metamer {
@@ -125,21 +125,19 @@ std::vector<double> color_errors(const Method& method, const PilotPixels& pixels
   errors.reserve(range.last - range.first);
   for (std::size_t i = range.first; i < range.last; ++i) {
     const std::array<float, 3> xyz = method.resolve(pixels.gathers[i], pixels.scale, scratch);
-    const double error = delta_e_00(to_lab({xyz[0], xyz[1], xyz[2]}, white), pixels.reference[i]);
-    errors.push_back(std::isfinite(error) ? error : std::numeric_limits<double>::infinity());
+    errors.push_back(delta_e_00(to_lab({xyz[0], xyz[1], xyz[2]}, white), pixels.reference[i]));
   }
   return errors;
 }
 
-v1::ColorError summarize(std::vector<double> errors) {
+v1::ColorError summarize(const std::vector<double>& errors) {
+  const ErrorStatistics statistics = error_statistics(errors);
   v1::ColorError error;
   error.set_pixels(static_cast<std::uint32_t>(errors.size()));
-  if (errors.empty()) return error;
-  std::sort(errors.begin(), errors.end());
-  const auto count = static_cast<double>(errors.size());
-  error.set_mean(std::accumulate(errors.begin(), errors.end(), 0.0) / count);
-  error.set_percentile_95(errors[static_cast<std::size_t>(std::ceil(0.95 * count)) - 1]);
-  error.set_maximum(errors.back());
+  error.set_mean(statistics.mean);
+  error.set_percentile_95(statistics.percentile_95);
+  error.set_maximum(statistics.not_finite == 0 ? statistics.maximum
+                                               : std::numeric_limits<double>::infinity());
   return error;
 }
 

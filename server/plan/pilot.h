@@ -45,11 +45,11 @@ struct PixelRange {
   std::size_t first, last;
 };
 
-/// ΔE00 of what the method makes of each pixel of the range. A value that is not finite counts as
-/// infinite.
+/// ΔE00 of what the method makes of each pixel of the range.
 std::vector<double> color_errors(const Method& method, const PilotPixels& pixels, PixelRange range,
                                  const Xyz& white, Method::Scratch& scratch);
 
-v1::ColorError summarize(std::vector<double> errors);
+/// A pixel whose error is not finite makes the maximum infinite.
+v1::ColorError summarize(const std::vector<double>& errors);
 
 }  // namespace metamer

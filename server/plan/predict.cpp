@@ -68,7 +68,7 @@ Predicted Predictor::predict(const v1::Method& method) {
       seconds_since(half_time) / static_cast<double>(std::max<std::size_t>(1, rest.size()));
   errors.insert(errors.end(), rest.begin(), rest.end());
   prediction.set_render(pixel_seconds(pixels_.trace_seconds + resolve));
-  *prediction.mutable_error() = summarize(std::move(errors));
+  *prediction.mutable_error() = summarize(errors);
 
   prediction.set_bound(summarize(color_errors(*predicted.method, colors_,
                                               {0, colors_.gathers.size()}, white, *scratch))

@@ -100,7 +100,7 @@ class Report : public benchmark::ConsoleReporter {
         "1.30, 1.60 for point, its Table 4.4-3 about 1.15 for four basis functions)\n");
     for (const char* group : {"direct", "direct_1spp", "mirrors"})
       for (const char* method :
-           {"point/7", "point/16", "point/61", "point/301", "exact", "linear/4"})
+           {"point/7", "point/16", "point/61", "point/301", "exact", "linear/4", "fitted/8", "prefilter"})
         ratio(std::string(group) + "/" + method, std::string(group) + "/rgb");
     std::printf("\nshare of Embree's own rate for the same rays\n");
     std::printf("%-51s %6.1f %%\n", "direct/rgb",
@@ -122,11 +122,15 @@ void add(const std::string& group, Bench& (*bench)()) {
   add_case("rgb", bench::rgb_method());
   for (unsigned samples : {7u, 16u, 61u, 301u})
     add_case("point/" + std::to_string(samples), bench::point_method(samples));
-  v1::Method exact, linear;
+  v1::Method exact, linear, fitted, prefilter;
   exact.mutable_exact();
   linear.mutable_linear()->set_bases(4);
   add_case("exact", exact);
   add_case("linear/4", linear);
+  fitted.mutable_point()->set_fitted(8);
+  add_case("fitted/8", fitted);
+  prefilter.mutable_prefilter();
+  add_case("prefilter", prefilter);
 }
 
 }  // namespace

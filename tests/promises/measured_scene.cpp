@@ -61,7 +61,7 @@ MeasuredScene::Rendered MeasuredScene::render(const v1::Method& method) {
   for (std::size_t i = 0; i < truth_.size(); ++i)
     errors.push_back(
         delta_e_00(to_lab({xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]}, white_), truth_[i]));
-  return {seconds, summarize(std::move(errors))};
+  return {seconds, summarize(errors)};
 }
 
 v1::Auto tolerance(double value) {
