@@ -13,20 +13,11 @@ boost::asio::awaitable<ExitCode> check_on(Session& session, const SceneInput& sc
   const Answer<std::uint64_t> job_id = co_await session.submit(submission);
   if (!job_id) co_return report.session_error(job_id.error());
 
-  v1::Watch request;
-  request.set_job_id(*job_id);
-  Followed followed;
-  followed.job_id = *job_id;
-  Session::OnEvent on_event = [&](const v1::JobEvent& event) -> Answer<void> {
-    if (event.has_planned()) followed.plan = event.planned().plan();
-    followed.last = event;
-    return {};
-  };
-  const Answer<void> watched = co_await session.watch(request, on_event);
-  if (!watched) co_return report.session_error(watched.error());
+  const Answer<Followed> followed = co_await follow(session, *job_id, Wanted::plan);
+  if (!followed) co_return report.session_error(followed.error());
 
-  const ExitCode code = conclude(followed, &scene, report);
-  if (code == ExitCode::done && followed.plan) report.line("good: " + describe(*followed.plan));
+  const ExitCode code = conclude(*followed, &scene, report);
+  if (code == ExitCode::done && followed->plan) report.line("good: " + describe(*followed->plan));
   co_return code;
 }
 

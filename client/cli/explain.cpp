@@ -63,7 +63,7 @@ boost::asio::awaitable<ExitCode> explain_on(Session& session, const SceneInput& 
   const Answer<std::uint64_t> job_id = co_await session.submit(submission);
   if (!job_id) co_return report.session_error(job_id.error());
 
-  const Answer<Followed> followed = co_await follow(session, *job_id, Wanted::events);
+  const Answer<Followed> followed = co_await follow(session, *job_id, Wanted::plan);
   if (!followed) co_return report.session_error(followed.error());
   const ExitCode code = conclude(*followed, &scene, report);
   if (code != ExitCode::done || !followed->plan) co_return code;

@@ -12,7 +12,7 @@ namespace asio = boost::asio;
 
 Answer<void> take_planned(const v1::Planned& planned, Wanted wanted, Followed& followed) {
   followed.plan = planned.plan();
-  if (wanted == Wanted::events) return {};
+  if (wanted == Wanted::plan) return {};
   Answer<Film> film = Film::make(*followed.plan);
   if (!film) return tl::unexpected<SessionError>(std::move(film.error()));
   followed.film = std::move(*film);
@@ -42,12 +42,12 @@ Answer<void> take_tile(const v1::Tile& tile, Followed& followed) {
 
 Answer<void> take(const v1::JobEvent& event, Wanted wanted, ProgressView& view,
                   Followed& followed) {
-  view.show(event);
+  if (wanted != Wanted::plan) view.show(event);
   switch (event.event_case()) {
     case v1::JobEvent::kPlanned:
       return take_planned(event.planned(), wanted, followed);
     case v1::JobEvent::kTile:
-      return wanted == Wanted::events ? Answer<void>() : take_tile(event.tile(), followed);
+      return wanted == Wanted::plan ? Answer<void>() : take_tile(event.tile(), followed);
     case v1::JobEvent::kFinished:
     case v1::JobEvent::kFailed:
     case v1::JobEvent::kCancelled:
@@ -101,7 +101,8 @@ ExitCode conclude_promise(const Followed& followed, Report& report) {
     std::snprintf(text, sizeof text, "; at most %.3g was asked for", goal.tolerance());
   said += text;
   if (finished.accuracy().kept()) {
-    report.line(method_text(followed.plan->method()) + ": " + said);
+    report.note(
+        {.field = {}, .file = {}, .message = method_text(followed.plan->method()) + ": " + said});
     return ExitCode::done;
   }
   report.error("the promise is broken by " + method_text(followed.plan->method()) + ": " + said);
@@ -115,7 +116,7 @@ asio::awaitable<Answer<Followed>> follow(Session& session, std::uint64_t job_id,
   followed.job_id = job_id;
   v1::Watch request;
   request.set_job_id(job_id);
-  const bool tiles = wanted != Wanted::events;
+  const bool tiles = wanted != Wanted::plan;
   request.set_tiles(tiles);
   request.set_factors(wanted == Wanted::tiles_and_factors);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <limits>
 
 namespace metamer {
 namespace {
@@ -13,6 +14,8 @@ namespace {
 constexpr double tolerance_margin = 0.8;
 /// A prediction is made on a machine that does other things as well.
 constexpr double deadline_margin = 0.8;
+/// Times that differ by no more are the same.
+constexpr double noise = 0.02;
 /// ΔE00 that nobody sees: it is not worth any time to be better.
 constexpr double invisible = 0.05;
 
@@ -40,18 +43,20 @@ v1::Method linear(std::uint32_t bases) {
 
 using Fits = std::function<bool(const Predicted&)>;
 
-Predicted* cheapest(std::vector<Predicted>& all, const Fits& fits) {
-  Predicted* best = nullptr;
-  for (Predicted& one : all)
-    if (!one.rejected && fits(one) && (!best || one.seconds() < best->seconds())) best = &one;
-  return best;
-}
-
 Predicted* most_accurate(std::vector<Predicted>& all, const Fits& fits) {
   Predicted* best = nullptr;
   for (Predicted& one : all)
     if (!one.rejected && fits(one) && (!best || one.error() < best->error())) best = &one;
   return best;
+}
+
+/// Of those that cost about the same, the most accurate one.
+Predicted* cheapest(std::vector<Predicted>& all, const Fits& fits) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Predicted& one : all)
+    if (!one.rejected && fits(one)) least = std::min(least, one.seconds());
+  return most_accurate(
+      all, [&](const Predicted& one) { return fits(one) && one.seconds() <= (1 + noise) * least; });
 }
 
 Choice conclude(std::vector<Predicted>& all, Predicted* best, std::string objection) {

@@ -56,7 +56,12 @@ void need_range(const RenderScene& scene, v1::Plan& plan) {
     to = std::max(to, emission.nm[static_cast<std::size_t>(emission.values.rend() - last) - 1]);
   }
   if (to == 0) return plan.add_unneeded("wavelengths: no light has any power");
-  plan.add_need(print("wavelengths from %g to %g nm: the lights have power there", from, to));
+  const Wavelengths seen = exact_wavelengths();
+  if (to < seen.nm().front() || from > seen.nm().back())
+    return plan.add_unneeded(
+        print("wavelengths: the lights' power, %g to %g nm, is not seen", from, to));
+  plan.add_need(print("wavelengths from %g to %g nm, where the lights have power that is seen",
+                      std::max(from, seen.nm().front()), std::min(to, seen.nm().back())));
 }
 
 void need_spectra(const RenderScene& scene, v1::Plan& plan) {

@@ -144,7 +144,9 @@ TEST(JobFlow, FactorsComeWithTheTilesToWhoAsksForThem) {
     const auto plan = client.receive_event_until([](auto& event) { return event.has_planned(); });
     EXPECT_EQ(plan.planned().factors(), expected);
     client.receive_event_until([&](auto& event) {
-      if (event.has_tile()) EXPECT_EQ(event.tile().factors(), expected);
+      if (event.has_tile()) {
+        EXPECT_EQ(event.tile().factors(), expected);
+      }
       return event.has_finished();
     });
   }
