@@ -79,11 +79,11 @@ void check_settings(const v1::Settings& settings, const std::string& field, Find
       check_range(full.method().linear().bases(), 1, limits::max_bases,
                   field + ".method.linear.bases", findings);
       break;
-    case v1::Method::kRgb:
-    case v1::Method::kExact:
     case v1::Method::kAuto:
       check_auto(full.method().auto_(), field + ".method.auto", findings);
       break;
+    case v1::Method::kRgb:
+    case v1::Method::kExact:
     case v1::Method::kPrefilter:
     case v1::Method::METHOD_NOT_SET:
       break;
