@@ -19,6 +19,10 @@ using Eigen::Index;
 /// itself: what sums in f32, and spectra that are not in the training set, may bring.
 constexpr double uncertainty = 1e-10;
 
+/// Candidates are where the observer sees at least this share of what it sees best. Beyond, a
+/// spectrum may well tell which of a scene's few paints it is, but no more than that.
+constexpr double least_sensitivity = 0.005;
+
 /// The normal equations of one of X, Y and Z, a row a wavelength: gram · weights = target.
 struct NormalEquations {
   Eigen::MatrixXd gram;
@@ -43,7 +47,8 @@ NormalEquations normal_equations(const Eigen::MatrixXd& spectra, const TrainingS
 /// of the errors that are left. A choice is a column of the Gram matrices' Cholesky factors.
 class Selection {
  public:
-  Selection(const TrainingSet& set, Index most) {
+  Selection(const TrainingSet& set, Index most)
+      : visible_(set.sensitivity.array() > least_sensitivity * set.sensitivity.maxCoeff()) {
     for (Index axis = 0; axis < 3; ++axis) {
       Axis& own = axes_[static_cast<std::size_t>(axis)];
       own.equations = normal_equations(set.spectra, set, axis);
@@ -56,7 +61,7 @@ class Selection {
   void restart() {
     count_ = 0;
     for (Axis& axis : axes_) {
-      axis.rest = axis.equations.gram.diagonal();
+      axis.rest = visible_.select(axis.equations.gram.diagonal(), 0);
       axis.target = axis.equations.target;
     }
   }
@@ -94,6 +99,7 @@ class Selection {
     Eigen::VectorXd rest;    ///< What the choices leave of the Gram matrix's diagonal,
     Eigen::VectorXd target;  ///< and of the target.
   };
+  Eigen::Array<bool, Eigen::Dynamic, 1> visible_;
   std::array<Axis, 3> axes_;
   Index count_ = 0;
 };

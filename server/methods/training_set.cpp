@@ -69,6 +69,7 @@ TrainingSet make_training_set(const RenderScene& scene, cie::Observer choice, Ei
   for (Eigen::Index axis = 0; axis < 3; ++axis)
     sensitivity.col(axis) = to_vector(observer.weights[static_cast<std::size_t>(axis)]);
   set.xyz = sensitivity.transpose() * set.spectra;
+  set.sensitivity = sensitivity.rowwise().sum();
 
   // Each class as much as the others, and mirrors, which are the hardest, twice.
   set.weights.resize(3, set.spectra.cols());

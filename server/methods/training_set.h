@@ -18,6 +18,7 @@ struct TrainingSet {
   /// (by itself, over a surface, in a mirror) count alike, mirrors twice, however many there are.
   Eigen::MatrixXd weights;
   Eigen::Index whites;
+  Eigen::VectorXd sensitivity;  ///< (x̄ + ȳ + z̄) Δλ at each row.
 };
 
 /// Of more than `most` columns, surfaces are left out evenly: first of those in mirrors.
