@@ -9,6 +9,7 @@
 
 #include "client/cli/commands.h"
 #include "client/cli/compare_json.h"
+#include "client/cli/print.h"
 #include "client/cli/report.h"
 #include "common/color/srgb.h"
 #include "common/image/compare.h"
@@ -76,13 +77,6 @@ Result<White> find_white(const CompareOptions& options) {
   return find_illuminant("--white", name).transform([&](const Spectrum* found) {
     return White{name, white_of(*found, observer)};
   });
-}
-
-template <class... Values>
-std::string print(const char* format, Values... values) {
-  std::array<char, 200> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
 }
 
 void print_difference(const Difference& difference, Report& report) {

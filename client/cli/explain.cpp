@@ -4,16 +4,11 @@
 #include "client/cli/connection.h"
 #include "client/cli/follow.h"
 #include "client/cli/method_text.h"
+#include "client/cli/print.h"
 #include "client/cli/scene_input.h"
 
 namespace metamer::cli {
 namespace {
-
-std::string print(const char* format, auto... values) {
-  char text[200];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
 
 double seconds(const v1::Prediction& prediction) {
   return prediction.prepare() + prediction.render();

@@ -6,16 +6,12 @@
 #include "common/problem.h"
 
 namespace metamer::cli {
-namespace {
-
 std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
   return quoted + "\"";
 }
-
-}  // namespace
 
 std::string csv_text(const Figure& figure) {
   std::string text = "panel,curve,degrees,value\n";

@@ -31,6 +31,9 @@ struct Figure {
   std::vector<Panel> panels;
 };
 
+/// A field of a table (RFC 4180): quoted where it has to be.
+std::string csv_field(const std::string& text);
+
 /// The table behind a figure: a line a point, `panel,curve,degrees,value` (RFC 4180, UTF-8). The
 /// numbers read back as the same doubles.
 std::string csv_text(const Figure& figure);

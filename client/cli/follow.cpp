@@ -42,7 +42,7 @@ Answer<void> take_tile(const v1::Tile& tile, Followed& followed) {
 
 Answer<void> take(const v1::JobEvent& event, Wanted wanted, ProgressView& view,
                   Followed& followed) {
-  if (wanted != Wanted::plan) view.show(event);
+  if (wanted >= Wanted::tiles) view.show(event);
   switch (event.event_case()) {
     case v1::JobEvent::kPlanned:
       return take_planned(event.planned(), wanted, followed);

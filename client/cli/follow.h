@@ -22,8 +22,8 @@ struct Followed {
   std::optional<FactorsBuilder> factors;  ///< Where they were asked for and the job keeps them.
 };
 
-/// What of a job is asked for. A plan alone comes quickly: no progress is shown then.
-enum class Wanted { plan, tiles, tiles_and_factors };
+/// What of a job is asked for. Progress is shown of tiles, but for those that come quietly.
+enum class Wanted { plan, tiles_quietly, tiles, tiles_and_factors };
 
 /// Watches a job from its first event to its last, shows its progress, and puts its tiles together
 /// where they are wanted.

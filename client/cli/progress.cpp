@@ -1,4 +1,5 @@
 #include "client/cli/progress.h"
+#include "client/cli/print.h"
 
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -10,13 +11,6 @@
 
 namespace metamer::cli {
 namespace {
-
-template <class... Values>
-std::string print(const char* format, Values... values) {
-  char text[160];
-  const int length = std::snprintf(text, sizeof text, format, values...);
-  return {text, static_cast<std::size_t>(std::clamp(length, 0, int{sizeof text} - 1))};
-}
 
 std::string counted(std::uint64_t count, const char* one, const char* many) {
   return std::to_string(count) + ' ' + (count == 1 ? one : many);

@@ -12,10 +12,10 @@
 
 #include "client/cli/commands.h"
 #include "client/cli/connection.h"
+#include "client/cli/follow.h"
 #include "client/cli/gnuplot.h"
 #include "client/cli/method_text.h"
 #include "client/cli/scene_input.h"
-#include "client/session/film.h"
 #include "common/color/srgb.h"
 #include "common/image/compare.h"
 
@@ -25,58 +25,13 @@ namespace {
 namespace asio = boost::asio;
 namespace fs = std::filesystem;
 
-/// A job that ended: its picture where it finished, else why there is none.
-struct Outcome {
-  bool cancelled = false;
-  std::string failure;  ///< Empty: it finished.
-  v1::Plan plan;
-  v1::Timing timing;
-  std::optional<Film> film;
-
-  double seconds() const { return timing.prepare() + timing.render(); }
-};
-
+/// Why a job gave no picture; empty: it gave one.
 std::string reason_of(const v1::Failed& failed) {
   std::string reason = failed.reason();
   for (const v1::Problem& problem : failed.problem())
     reason += (reason.empty() ? "" : ": ") +
               (problem.field().empty() ? "" : problem.field() + ": ") + problem.message();
   return reason.empty() ? "the job failed" : reason;
-}
-
-Answer<void> take(const v1::JobEvent& event, Outcome& outcome) {
-  switch (event.event_case()) {
-    case v1::JobEvent::kPlanned: {
-      outcome.plan = event.planned().plan();
-      Answer<Film> film = Film::make(outcome.plan);
-      if (!film) return tl::unexpected<SessionError>(std::move(film.error()));
-      outcome.film = std::move(*film);
-      return {};
-    }
-    case v1::JobEvent::kTile:
-      if (!outcome.film)
-        return session_error(SessionError::Kind::disconnected,
-                             "the server sent a tile before its plan");
-      return outcome.film->add(event.tile());
-    case v1::JobEvent::kFinished:
-      outcome.timing = event.finished().timing();
-      return {};
-    case v1::JobEvent::kFailed:
-      outcome.failure = reason_of(event.failed());
-      return {};
-    case v1::JobEvent::kCancelled:
-      outcome.cancelled = true;
-      return {};
-    case v1::JobEvent::kQueued:
-    case v1::JobEvent::kStarted:
-    case v1::JobEvent::kProgress:
-    case v1::JobEvent::kPreview:
-    case v1::JobEvent::kPaused:
-    case v1::JobEvent::kRetrying:
-    case v1::JobEvent::EVENT_NOT_SET:
-      return {};
-  }
-  return {};
 }
 
 asio::awaitable<void> cancel_job(Session& session, std::uint64_t job_id) {
@@ -90,6 +45,12 @@ struct Bench {
   Interrupts& interrupts;
   const SceneInput& scene;
   const TradeoffOptions& options;
+};
+
+/// A job that ended.
+struct Outcome {
+  std::string failure;  ///< Empty: there is a picture, or it was cancelled.
+  Followed job;
 };
 
 /// Renders the scene by a method. Errors: the session's, but for a refusal, which is an outcome.
@@ -111,17 +72,11 @@ asio::awaitable<Answer<Outcome>> render_by(const Bench& bench, const v1::Method&
   bench.interrupts.on_first([&session = bench.session, executor, id = *job_id] {
     asio::co_spawn(executor, cancel_job(session, id), asio::detached);
   });
-  v1::Watch request;
-  request.set_job_id(*job_id);
-  request.set_tiles(true);
-  const Session::OnEvent on_event = [&](const v1::JobEvent& event) { return take(event, outcome); };
-  const Answer<void> watched = co_await bench.session.watch(request, on_event);
+  Answer<Followed> followed = co_await follow(bench.session, *job_id, Wanted::tiles_quietly);
   bench.interrupts.on_first({});
-  if (!watched) co_return tl::unexpected<SessionError>(watched.error());
-  const bool finished = !outcome.cancelled && outcome.failure.empty();
-  if (finished && (!outcome.film || !outcome.film->complete()))
-    co_return session_error(SessionError::Kind::disconnected,
-                            "the server finished the job without all of its tiles");
+  if (!followed) co_return tl::unexpected<SessionError>(followed.error());
+  if (followed->last.has_failed()) outcome.failure = reason_of(followed->last.failed());
+  outcome.job = std::move(*followed);
   co_return Answer<Outcome>(std::move(outcome));
 }
 
@@ -168,16 +123,16 @@ asio::awaitable<ExitCode> run_cases(const Bench& bench, const Image& reference, 
       if (!row.failure.empty()) continue;
       const Answer<Outcome> outcome = co_await render_by(bench, row.what.settings, row.what.stem);
       if (!outcome) co_return report.session_error(outcome.error());
-      if (outcome->cancelled) {
+      if (outcome->job.last.has_cancelled()) {
         report.error("cancelled");
         co_return ExitCode::cancelled;
       }
       row.failure = outcome->failure;
       if (!row.failure.empty()) continue;
-      keep_cheapest(outcome->timing, round == 1, row);
+      keep_cheapest(outcome->job.last.finished().timing(), round == 1, row);
       if (round > 1) continue;
       const Result<void> measured =
-          measure(outcome->film->image(), reference, tradeoff, bench.options.folder, row);
+          measure(outcome->job.film->image(), reference, tradeoff, bench.options.folder, row);
       if (!measured) {
         report.problem(measured.error(), {});
         co_return ExitCode::other;
@@ -214,23 +169,25 @@ asio::awaitable<ExitCode> tradeoff_on(const Bench& bench, Report& report) {
   const Answer<Outcome> reference =
       co_await render_by(bench, tradeoff_reference(), "the reference");
   if (!reference) co_return report.session_error(reference.error());
-  if (reference->cancelled || !reference->failure.empty()) {
-    report.error(reference->cancelled ? "cancelled"
-                                      : "the reference can't be rendered: " + reference->failure);
-    co_return reference->cancelled ? ExitCode::cancelled : ExitCode::job_failed;
+  const bool cancelled = reference->job.last.has_cancelled();
+  if (cancelled || !reference->failure.empty()) {
+    report.error(cancelled ? "cancelled"
+                           : "the reference can't be rendered: " + reference->failure);
+    co_return cancelled ? ExitCode::cancelled : ExitCode::job_failed;
   }
   Tradeoff tradeoff;
   tradeoff.scene = bench.scene.name();
-  tradeoff.plan = reference->plan;
-  tradeoff.white = white_of(reference->plan, report);
+  tradeoff.plan = *reference->job.plan;
+  tradeoff.white = white_of(tradeoff.plan, report);
   tradeoff.rounds = bench.options.rounds;
-  tradeoff.reference_seconds = reference->seconds();
+  const v1::Timing& timing = reference->job.last.finished().timing();
+  tradeoff.reference_seconds = timing.prepare() + timing.render();
   for (TradeoffCase& one : tradeoff_cases()) {
     tradeoff.rows.emplace_back();
     tradeoff.rows.back().what = std::move(one);
   }
 
-  const ExitCode code = co_await run_cases(bench, reference->film->image(), tradeoff, report);
+  const ExitCode code = co_await run_cases(bench, reference->job.film->image(), tradeoff, report);
   if (code != ExitCode::done) co_return code;
   mark_front(tradeoff.rows);
   for (const std::string& line : tradeoff_table(tradeoff)) report.line(line);

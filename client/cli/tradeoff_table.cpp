@@ -4,31 +4,19 @@
 #include <optional>
 
 #include "client/cli/compare_json.h"
+#include "client/cli/figure.h"
+#include "client/cli/print.h"
 #include "client/cli/tradeoff.h"
 #include "common/problem.h"
 
 namespace metamer::cli {
 namespace {
 
-template <class... Values>
-std::string print(const char* format, Values... values) {
-  std::array<char, 200> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
-
 /// Seconds that the naive rgb took; nothing where it failed.
 std::optional<double> rgb_seconds(const Tradeoff& tradeoff) {
   for (const TradeoffRow& row : tradeoff.rows)
     if (row.what.method == "rgb" && row.failure.empty() && row.seconds() > 0) return row.seconds();
   return std::nullopt;
-}
-
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
-  return result + "\"";
 }
 
 }  // namespace
