@@ -110,8 +110,6 @@ void Job::compile(const v1::CompileJob& message) {
   if (!compiled) return send_problems(compiled.error());
   scene_ = std::make_unique<RenderScene>(to_camera_space(std::move(*compiled)));
 
-  timing_.set_compile(seconds_since(begun_));
-
   keep_factors_ = message.keep_factors();
   if (keep_factors_ && !send_factors(nullptr, scene_factors(*scene_).SerializeAsString()))
     return send_failure(v1::Failed::BAD_INPUT,
@@ -120,6 +118,8 @@ void Job::compile(const v1::CompileJob& message) {
   // Plan, and let the daemon decide.
   settings_ = scene.settings();
   if (!make_plan(message)) return send_stopped();
+  timing_.set_compile(seconds_since(begun_) - timing_.pilot() -
+                      (timing_.pilot() > 0 ? timing_.acceleration() : 0));
   v1::WorkerEnvelope planned = envelope();
   *planned.mutable_planned()->mutable_plan() = plan_;
   link_.send(planned);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "common/image/image.h"
+#include "common/image/read_xyz.h"
 #include "daemon.h"
 
 namespace metamer::test {
@@ -110,6 +111,18 @@ TEST_F(Relit, FromAFetchedJobIsTheSame) {
   const std::string factors = folder / "fetched.factors";
   const Image fetched = picture({"fetch", "1", "--keep-factors=" + factors});
   expect_same(picture({"relight", factors}), fetched);
+}
+
+TEST_F(Relit, ASpectralPictureIsSeenAsTheOneInXyz) {
+  const std::string scene = folder.write("scene.txtpb", scene_text(red, "standard: \"D65\""));
+  const std::string spectral = folder / "spectral.exr";
+  const Ended ended =
+      daemon.metamer({"render", scene, "--exr", "spectral:360:830:1", "-o", spectral});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto seen = read_xyz(spectral, {});
+  ASSERT_TRUE(seen) << seen.error().message;
+  EXPECT_EQ(seen->what, "an emission at 471 wavelengths");
+  expect_same(seen->image, picture({"render", scene}));
 }
 
 TEST_F(Relit, SaysWhatItDoesNotKnow) {

@@ -174,6 +174,23 @@ TEST(MethodExtremes, ASpikeBetweenTwoPositionsIsSaidToBeMissed) {
   EXPECT_FALSE(has_notice(plan_for(uniform(400, 700, 0.075), scene), "luminance"));
 }
 
+TEST(MethodExtremes, AReflectanceBetweenTwoPositionsIsSaidToBeMissed) {
+  const RenderScene scene = compile_text(scene_of(
+      light("standard: 'E'"),
+      "diffuse { samples { wavelength: [400, 541, 542.5, 544, 700] value: [0, 0, 1, 0, 0] } }"));
+  v1::Method by_5_nm, by_1_nm;
+  *by_5_nm.mutable_point() = [] {
+    v1::Point point;
+    point.set_from(400);
+    point.set_to(700);
+    point.set_step(5);
+    return point;
+  }();
+  by_1_nm.mutable_exact();
+  EXPECT_TRUE(has_notice(plan_for(by_5_nm, scene), "61 wavelengths see 0 %"));
+  EXPECT_FALSE(has_notice(plan_for(by_1_nm, scene), "wavelengths see"));
+}
+
 TEST(MethodExtremes, IdenticalSpectraCountOnce) {
   const std::string twins =
       light("standard: 'D65'") +
