@@ -33,14 +33,14 @@ void report_energy(const LoadedSpectrum& one, const EnergyCheck& energy, Report&
   if (energy.outside > tolerated * whole)
     note(one, percent(energy.outside / whole) + " of its " + what + " lies outside the new range",
          report);
-  if (std::abs(energy.worst) <= tolerated * energy.before && energy.before > 0) return;
-  if (energy.worst == 0) return;
-  const double change = energy.after - energy.before;
-  std::string share = energy.before > 0 ? percent(change / energy.before) : "all";
+  if (!(energy.before > 0) || std::abs(energy.worst) <= tolerated * energy.before) return;
+  const auto changed = [&](double by) {
+    return percent(by / energy.before) + (by < 0 ? " of it is missed" : " of it is added");
+  };
   note(one,
-       share + " of its " + what + (change < 0 ? " is missed" : " is added") +
-           " by the new samples; most is " + (energy.worst < 0 ? "missed" : "added") + " between " +
-           number_text(energy.worst_from) + " and " + number_text(energy.worst_to) + " nm",
+       "the new samples change its " + what + ": " + changed(energy.worst) + " between " +
+           number_text(energy.worst_from) + " and " + number_text(energy.worst_to) + " nm, " +
+           changed(energy.after - energy.before) + " in all",
        report);
 }
 

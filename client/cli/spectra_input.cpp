@@ -26,6 +26,13 @@ tl::unexpected<Problem> no_such(const std::string& word) {
                  did_you_mean(word, known));
 }
 
+/// A name from a file could command a terminal.
+std::string printable(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
+  return text;
+}
+
 /// The spectra of a file. `source` is its text, for the line of an error.
 Result<std::vector<LoadedSpectrum>> read(const std::string& file, std::string& source) {
   Result<std::string> text = read_file(file, max_spectrum_file);
@@ -34,10 +41,11 @@ Result<std::vector<LoadedSpectrum>> read(const std::string& file, std::string& s
   return parse_spectra(source, file).map([&](std::vector<NamedSpectrum>&& spectra) {
     std::vector<LoadedSpectrum> loaded;
     for (NamedSpectrum& one : spectra)
-      loaded.push_back({.label = one.name.empty() ? file : file + ": " + one.name,
-                        .name = one.name.empty() ? fs::path(file).stem().string() : one.name,
-                        .emission = !looks_like_reflectance(one.spectrum),
-                        .spectrum = std::move(one.spectrum)});
+      loaded.push_back(
+          {.label = printable(one.name.empty() ? file : file + ": " + one.name),
+           .name = printable(one.name.empty() ? fs::path(file).stem().string() : one.name),
+           .emission = !looks_like_reflectance(one.spectrum),
+           .spectrum = std::move(one.spectrum)});
     return loaded;
   });
 }

@@ -33,7 +33,7 @@ std::string script(const std::vector<LoadedSpectrum>& spectra) {
   const bool reflectances = !std::all_of(spectra.begin(), spectra.end(), is_emission);
   std::string text =
       "set terminal pngcairo noenhanced size 1000,600 font 'DejaVu Sans,11'\n"
-      "set key outside below horizontal\nset grid lc rgb '#CCCCCC' lt 1\n"
+      "set key outside top center horizontal\nset grid lc rgb '#CCCCCC' lt 1\n"
       "set xlabel 'wavelength / nm'\nset border lc rgb '#888888'\n";
   if (emissions) text += "set ylabel 'relative power'\nset yrange [0<*:*]\n";
   if (reflectances)

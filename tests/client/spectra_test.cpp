@@ -115,8 +115,8 @@ TEST_F(Spectra, ResamplingTellsASpikeThatItMisses) {
   const Said said = say(resample_spectra, options);
   EXPECT_EQ(said.code, ExitCode::done);
   EXPECT_EQ(said.err, file("spike.txt") +
-                          ": note: 50 % of its energy is missed by the new samples; most is missed "
-                          "between 500 and 600 nm\n");
+                          ": note: the new samples change its energy: 50 % of it is missed between "
+                          "500 and 600 nm, 50 % of it is missed in all\n");
   EXPECT_EQ(contents("new.txt"), "400 1\n500 1\n600 1\n700 1\n");
 
   options.samples.reset();
@@ -125,8 +125,8 @@ TEST_F(Spectra, ResamplingTellsASpikeThatItMisses) {
   EXPECT_EQ(say(resample_spectra, options).err,
             file("spike.txt") + ": note: 16.7 % of its energy lies outside the new range\n" +
                 file("spike.txt") +
-                ": note: 5.94e+03 % of its energy is added by the new samples; most is added "
-                "between 447 and 547 nm\n");
+                ": note: the new samples change its energy: 2.97e+03 % of it is added between "
+                "447 and 547 nm, 5.94e+03 % of it is added in all\n");
 }
 
 TEST_F(Spectra, ResamplingSaysWhereThereAreNoData) {
@@ -257,6 +257,17 @@ TEST_F(Spectra, BadInputIsLocated) {
   said = say(find_metamer, white);
   EXPECT_EQ(said.code, ExitCode::bad_input);
   EXPECT_FALSE(fs::exists(file("none.sp")));
+}
+
+TEST_F(Spectra, ANameFromAFileCannotCommandATerminal) {
+  const std::string evil =
+      write("evil.sp",
+            "SPECT\nBEGIN_DATA_FORMAT\nSAMPLE_NAME SPEC_400 SPEC_700\nEND_DATA_FORMAT\n"
+            "BEGIN_DATA\n\"a\x1b[2Jb\" 1 1\nEND_DATA\n");
+  const Said said = say(spectra_info, input({evil}, false));
+  EXPECT_EQ(said.code, ExitCode::done);
+  EXPECT_EQ(said.out.find('\x1b'), std::string::npos);
+  EXPECT_NE(said.out.find("a?[2Jb"), std::string::npos);
 }
 
 TEST_F(Spectra, OneOfSeveralIsChosenByItsName) {

@@ -88,10 +88,10 @@ TEST(Plan, KeepsTheDevelopmentAndTheDominantLightsWhite) {
   EXPECT_EQ(by_a.development().adaptation(), v1::SHARP);
   EXPECT_EQ(by_a.development().rgb_space(), v1::REC_2020);
   ASSERT_EQ(by_a.source_white_size(), 3);
-  // CIE 15:2004, table T.3.
+  // CIE 15:2004, table T.3, from tables of 1 nm; ours have lines between 5 nm.
   EXPECT_NEAR(by_a.source_white(0), 1.0985, 1e-4);
   EXPECT_NEAR(by_a.source_white(1), 1, 1e-14);
-  EXPECT_NEAR(by_a.source_white(2), 0.3558, 1e-4);
+  EXPECT_NEAR(by_a.source_white(2), 0.3558, 2e-4);
 
   // By the observer that was chosen, whatever the method's wavelengths.
   const v1::Plan by_ten =
