@@ -29,7 +29,7 @@ std::string front_of(std::vector<TradeoffRow> rows) {
   return names;
 }
 
-TEST(TradeoffFront, holds_what_nothing_beats_in_both) {
+TEST(TradeoffFront, HoldsWhatNothingBeatsInBoth) {
   EXPECT_EQ(front_of({row("a", 1, 9), row("b", 2, 3), row("c", 3, 4), row("d", 4, 1)}), "abd");
   EXPECT_EQ(front_of({row("d", 4, 1), row("c", 3, 4), row("b", 2, 3), row("a", 1, 9)}), "dba");
   EXPECT_EQ(front_of({row("a", 1, 0), row("b", 2, 0)}), "a") << "no better, and dearer";
@@ -37,13 +37,13 @@ TEST(TradeoffFront, holds_what_nothing_beats_in_both) {
   EXPECT_EQ(front_of({}), "");
 }
 
-TEST(TradeoffFront, leaves_out_what_failed) {
+TEST(TradeoffFront, LeavesOutWhatFailed) {
   auto failed = row("a", 0, 0);
   failed.failure = "no such method";
   EXPECT_EQ(front_of({failed, row("b", 2, 3)}), "b");
 }
 
-TEST(TradeoffCases, have_names_of_their_own) {
+TEST(TradeoffCases, HaveNamesOfTheirOwn) {
   std::set<std::string> stems, settings;
   for (const TradeoffCase& one : tradeoff_cases()) {
     stems.insert(one.stem);
@@ -54,7 +54,7 @@ TEST(TradeoffCases, have_names_of_their_own) {
   EXPECT_EQ(tradeoff_cases()[0].method, "rgb");
 }
 
-TEST(TradeoffTables, tell_what_failed_and_why) {
+TEST(TradeoffTables, TellWhatFailedAndWhy) {
   Tradeoff tradeoff;
   tradeoff.plan.set_width(8);
   tradeoff.rows = {row("rgb", 0.5, 2), row("linear", 1, 0.25), row("point", 0, 0)};
@@ -76,7 +76,7 @@ TEST(TradeoffTables, tell_what_failed_and_why) {
       "linear                            1.0000    2.000         0      0.25       0.5  front");
 }
 
-TEST(TradeoffScript, names_the_front_and_keeps_hostile_names_harmless) {
+TEST(TradeoffScript, NamesTheFrontAndKeepsHostileNamesHarmless) {
   Tradeoff tradeoff;
   tradeoff.scene = "it's\n`reboot`";
   tradeoff.rows = {row("exact", 1, 0)};

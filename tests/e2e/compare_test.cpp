@@ -33,7 +33,7 @@ class CompareCommand : public testing::Test {
   const std::string a = folder / "a.exr", b = folder / "b.exr";
 };
 
-TEST_F(CompareCommand, says_how_much_and_where) {
+TEST_F(CompareCommand, SaysHowMuchAndWhere) {
   const Ended ended = metamer({"compare", a, b, "--metric", "deab"});
   EXPECT_EQ(ended.code, 0) << ended.err;
   // L* of an eighth is 42, of the white 100; 58 in one of 12 pixels.
@@ -43,7 +43,7 @@ TEST_F(CompareCommand, says_how_much_and_where) {
                            "maximum 58 at (2, 1)\n");
 }
 
-TEST_F(CompareCommand, exits_with_1_over_the_limit_alone) {
+TEST_F(CompareCommand, ExitsWith1OverTheLimitAlone) {
   EXPECT_EQ(metamer({"compare", a, b, "--metric", "deab", "--max", "58.01"}).code, 0);
   const Ended over = metamer({"compare", a, b, "--metric", "deab", "--max", "57.9"});
   EXPECT_EQ(over.code, 1);
@@ -51,7 +51,7 @@ TEST_F(CompareCommand, exits_with_1_over_the_limit_alone) {
   EXPECT_EQ(metamer({"compare", a, a, "--max", "0"}).code, 0);
 }
 
-TEST_F(CompareCommand, compares_a_png_with_an_exr) {
+TEST_F(CompareCommand, ComparesAPngWithAnExr) {
   const std::string png = folder / "a.png";
   write_grey(png, 1);
   const Json answer = parse_document(metamer({"compare", a, png, "--json"}).out);
@@ -60,7 +60,7 @@ TEST_F(CompareCommand, compares_a_png_with_an_exr) {
   EXPECT_LT(answer["difference"]["maximum"].get<double>(), 1e-3);
 }
 
-TEST_F(CompareCommand, draws_the_difference) {
+TEST_F(CompareCommand, DrawsTheDifference) {
   const std::string picture = folder / "diff.png";
   const Json answer = parse_document(metamer({"compare", a, b, "-o", picture, "--json"}).out);
   EXPECT_EQ(answer["exit_code"], 0) << answer;
@@ -71,7 +71,7 @@ TEST_F(CompareCommand, draws_the_difference) {
   EXPECT_EQ(metamer({"compare", a, b, "-o", folder / "diff.exr"}).code, 2);
 }
 
-TEST_F(CompareCommand, places_what_is_not_finite_and_never_passes_it) {
+TEST_F(CompareCommand, PlacesWhatIsNotFiniteAndNeverPassesIt) {
   write_grey(b, std::nanf(""));
   const Ended ended = metamer({"compare", a, b});
   EXPECT_EQ(ended.code, 0);
@@ -84,7 +84,7 @@ TEST_F(CompareCommand, places_what_is_not_finite_and_never_passes_it) {
   EXPECT_EQ(answer["difference"]["first_not_finite"]["x"], 2);
 }
 
-TEST_F(CompareCommand, takes_a_white_by_name_or_by_numbers) {
+TEST_F(CompareCommand, TakesAWhiteByNameOrByNumbers) {
   // CIE 15:2004, table T.3: A is X 109.850, Z 35.585.
   const Json named = parse_document(metamer({"compare", a, b, "--white", "A", "--json"}).out);
   EXPECT_NEAR(named["white"]["xyz"][0].get<double>(), 1.0985, 1e-4);
@@ -93,7 +93,7 @@ TEST_F(CompareCommand, takes_a_white_by_name_or_by_numbers) {
   EXPECT_EQ(given["white"]["xyz"], Json::array({2.0, 3.0, 4.5}));
 }
 
-TEST_F(CompareCommand, refuses_what_makes_no_sense) {
+TEST_F(CompareCommand, RefusesWhatMakesNoSense) {
   const auto refused = [](const std::vector<std::string>& words) {
     const Ended ended = metamer(words);
     EXPECT_EQ(ended.code, 2) << ended.out;
@@ -117,7 +117,7 @@ TEST_F(CompareCommand, refuses_what_makes_no_sense) {
             "error: the pictures differ in size: 4 × 3 and 3 × 4 pixels\n");
 }
 
-TEST_F(CompareCommand, tells_metamers_apart_under_a_second_light) {
+TEST_F(CompareCommand, TellsMetamersApartUnderASecondLight) {
   // Two reflectances that match under E: one flat, the other with what E's observer cannot see
   // added (its three sums are made zero by Gram and Schmidt).
   SpectralImage flat;

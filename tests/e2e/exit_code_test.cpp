@@ -63,11 +63,12 @@ TEST(ExitCode, TwoForOutputThatCannotBe) {
   const Ended ended = metamer({"render", scene, "-o", "a.jpg", "-o", "no/such/a.png", "-o", "b.exr",
                                "-o", "./b.exr", "--exr", "lab"});
   EXPECT_EQ(ended.code, 2);
-  EXPECT_EQ(ended.err,
-            "error: --output: \"a.jpg\" ends neither in .png nor in .exr\n"
-            "error: --output: there is no folder \"no/such\"\n"
-            "error: --output: \"./b.exr\" is named twice\n"
-            "error: --exr: \"lab\" is neither rgb nor xyz\n");
+  EXPECT_EQ(
+      ended.err,
+      "error: --output: \"a.jpg\" ends neither in .png nor in .exr\n"
+      "error: --output: there is no folder \"no/such\"\n"
+      "error: --output: \"./b.exr\" is named twice\n"
+      "error: --exr: \"lab\" is neither rgb nor xyz nor spectral, nor spectral:FROM:TO:STEP\n");
 }
 
 TEST(ExitCode, TwoForAJobThatIsNotThere) {

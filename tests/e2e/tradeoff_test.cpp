@@ -10,7 +10,7 @@
 namespace metamer::test {
 namespace {
 
-TEST(TradeoffCommand, ranks_every_method_on_a_scene) {
+TEST(TradeoffCommand, RanksEveryMethodOnAScene) {
   const Folder folder;
   const std::string scene = folder.write("scene.txtpb", small_scene()), out = folder / "out/new";
   const Ended ended = metamer(
@@ -47,7 +47,7 @@ TEST(TradeoffCommand, ranks_every_method_on_a_scene) {
   for (std::size_t i = 1; i < front.size(); ++i) EXPECT_LT(front[i].second, front[i - 1].second);
 }
 
-TEST(TradeoffCommand, chooses_the_methods_itself) {
+TEST(TradeoffCommand, ChoosesTheMethodsItself) {
   const Folder folder;
   const std::string scene = folder.write("scene.txtpb", small_scene());
   const Ended ended = metamer({"tradeoff", scene, "-o", folder / "out", "--method", "rgb"});

@@ -16,28 +16,28 @@ Problem at(int line, int column) {
           .message = "luminance must be above 0"};
 }
 
-TEST(ProblemFormat, shows_the_line_with_a_caret_under_the_column) {
+TEST(ProblemFormat, ShowsTheLineWithACaretUnderTheColumn) {
   EXPECT_EQ(format(at(2, 11), "camera {}\nlight { luminance: -1 }\nmaterial {}\n"),
             "booth.txtpb:2:11: error: luminance must be above 0\n"
             "light { luminance: -1 }\n"
             "          ^");
 }
 
-TEST(ProblemFormat, keeps_tabs_so_that_the_caret_stays_aligned) {
+TEST(ProblemFormat, KeepsTabsSoThatTheCaretStaysAligned) {
   EXPECT_EQ(format(at(1, 4), "\ta\tb c"),
             "booth.txtpb:1:4: error: luminance must be above 0\n"
             "\ta\tb c\n"
             "\t \t^");
 }
 
-TEST(ProblemFormat, counts_a_character_of_several_bytes_as_one_blank) {
+TEST(ProblemFormat, CountsACharacterOfSeveralBytesAsOneBlank) {
   EXPECT_EQ(format(at(1, 6), "\"é\" x"),  // é is two bytes, so x is byte 6.
             "booth.txtpb:1:6: error: luminance must be above 0\n"
             "\"é\" x\n"
             "    ^");
 }
 
-TEST(ProblemFormat, says_less_where_less_is_known) {
+TEST(ProblemFormat, SaysLessWhereLessIsKnown) {
   EXPECT_EQ(format(at(2, 0), "a\nb\n"), "booth.txtpb:2: error: luminance must be above 0\nb");
   EXPECT_EQ(format(at(2, 3)), "booth.txtpb:2:3: error: luminance must be above 0");
   EXPECT_EQ(format(at(9, 3), "a\nb\n"), "booth.txtpb:9:3: error: luminance must be above 0");
@@ -48,19 +48,19 @@ TEST(ProblemFormat, says_less_where_less_is_known) {
   EXPECT_EQ(format({.field = {}, .file = {}, .message = "it is empty"}), "error: it is empty");
 }
 
-TEST(ProblemFormat, drops_the_carriage_return_of_a_windows_line) {
+TEST(ProblemFormat, DropsTheCarriageReturnOfAWindowsLine) {
   EXPECT_EQ(format(at(1, 1), "ab\r\ncd\r\n"),
             "booth.txtpb:1:1: error: luminance must be above 0\nab\n^");
 }
 
-TEST(ProblemFormat, puts_the_caret_behind_the_line_when_something_is_missing_there) {
+TEST(ProblemFormat, PutsTheCaretBehindTheLineWhenSomethingIsMissingThere) {
   EXPECT_EQ(format(at(1, 3), "ab\ncd"),
             "booth.txtpb:1:3: error: luminance must be above 0\nab\n  ^");
   EXPECT_EQ(format(at(1, 99), "ab\ncd"),
             "booth.txtpb:1:99: error: luminance must be above 0\nab\n  ^");
 }
 
-TEST(ProblemFormat, cuts_a_long_line_around_the_caret) {
+TEST(ProblemFormat, CutsALongLineAroundTheCaret) {
   // The column of the X; 66 bytes stay before it, 34 from it on.
   const std::string line = std::string(500, '-') + "X" + std::string(500, '-');
   EXPECT_EQ(format(at(1, 501), line), "booth.txtpb:1:501: error: luminance must be above 0\n…" +
@@ -71,7 +71,7 @@ TEST(ProblemFormat, cuts_a_long_line_around_the_caret) {
                                         std::string(100, '-') + "…\n ^");
 }
 
-TEST(ProblemFormat, never_cuts_through_a_character) {
+TEST(ProblemFormat, NeverCutsThroughACharacter) {
   std::string line;
   for (int i = 0; i < 300; ++i) line += "é";
   for (int column = 1; column < 600; column += 2) {
@@ -82,13 +82,13 @@ TEST(ProblemFormat, never_cuts_through_a_character) {
   }
 }
 
-TEST(ProblemFormat, lets_no_control_character_reach_a_terminal) {
+TEST(ProblemFormat, LetsNoControlCharacterReachATerminal) {
   EXPECT_EQ(format({.field = {}, .file = "a\x1B]0;x", .line = 1, .column = 1, .message = "b\x07\n"},
                    "\x1B[2J\x7F"),
             "a?]0;x:1:1: error: b??\n?[2J?\n^");
 }
 
-TEST(DidYouMean, finds_a_name_with_a_typing_mistake) {
+TEST(DidYouMean, FindsANameWithATypingMistake) {
   const std::vector<std::string> known = {"TCS08", "TCS09", "D65", "wall"};
   EXPECT_EQ(did_you_mean("tcs09", known), "; did you mean \"TCS09\"?");
   EXPECT_EQ(did_you_mean("TSC08", known), "; did you mean \"TCS08\"?") << "two swapped";
@@ -97,7 +97,7 @@ TEST(DidYouMean, finds_a_name_with_a_typing_mistake) {
   EXPECT_EQ(did_you_mean("D56", known), "; did you mean \"D65\"?") << "a short name may have one";
 }
 
-TEST(DidYouMean, is_silent_where_nothing_is_close) {
+TEST(DidYouMean, IsSilentWhereNothingIsClose) {
   EXPECT_EQ(did_you_mean("ceiling", {"wall", "floor"}), "");
   EXPECT_EQ(did_you_mean("abcdef", {"abcxyz"}), "") << "three of six are more than a third";
   EXPECT_EQ(did_you_mean("abcdef", {"abcdxy"}), "; did you mean \"abcdxy\"?");
@@ -106,20 +106,20 @@ TEST(DidYouMean, is_silent_where_nothing_is_close) {
   EXPECT_EQ(did_you_mean(std::string(100'000, 'a'), {std::string(100'000, 'a')}), "");
 }
 
-TEST(DidYouMean, prefers_the_closest_and_of_equals_the_first) {
+TEST(DidYouMean, PrefersTheClosestAndOfEqualsTheFirst) {
   EXPECT_EQ(did_you_mean("sphere2", {"sphere33", "sphere1", "sphere3"}),
             "; did you mean \"sphere1\"?");
   EXPECT_EQ(did_you_mean("metal", {"mettle", "meta"}), "; did you mean \"meta\"?");
 }
 
-TEST(Quoted, is_short_and_printable) {
+TEST(Quoted, IsShortAndPrintable) {
   EXPECT_EQ(quoted("a\tb"), "\"a?b\"");
   EXPECT_EQ(quoted(std::string(60, 'x')), "\"" + std::string(60, 'x') + "\"");
   EXPECT_EQ(quoted(std::string(61, 'x')), "\"" + std::string(60, 'x') + "…\"");
   EXPECT_EQ(quoted(std::string(59, 'x') + "éé"), "\"" + std::string(59, 'x') + "…\"");
 }
 
-TEST(NumberText, is_the_shortest_that_reads_back) {
+TEST(NumberText, IsTheShortestThatReadsBack) {
   EXPECT_EQ(number_text(400), "400");
   EXPECT_EQ(number_text(0.1), "0.1");
   EXPECT_EQ(number_text(1e300), "1e+300");

@@ -9,7 +9,7 @@
 namespace metamer {
 namespace {
 
-TEST(ErrorStatistics, of_0_to_100_are_the_percentiles_themselves) {
+TEST(ErrorStatistics, Of0To100AreThePercentilesThemselves) {
   std::vector<double> errors(101);
   for (std::size_t i = 0; i < errors.size(); ++i)
     errors[i] = static_cast<double>((i * 37) % 101);  // every number once, out of order
@@ -23,7 +23,7 @@ TEST(ErrorStatistics, of_0_to_100_are_the_percentiles_themselves) {
   EXPECT_EQ(all.count, 101u);
 }
 
-TEST(ErrorStatistics, lie_on_the_line_between_neighbours) {
+TEST(ErrorStatistics, LieOnTheLineBetweenNeighbours) {
   // 1, 2, 4, 8: 0.95 · 3 = 2.85, which is 4 + 0.85 · 4; 0.99 · 3 = 2.97.
   const ErrorStatistics all = error_statistics(std::vector<double>{8, 1, 4, 2});
   EXPECT_DOUBLE_EQ(all.median, 3);
@@ -31,7 +31,7 @@ TEST(ErrorStatistics, lie_on_the_line_between_neighbours) {
   EXPECT_DOUBLE_EQ(all.percentile_99, 7.88);
 }
 
-TEST(ErrorStatistics, leave_out_and_place_what_is_not_finite) {
+TEST(ErrorStatistics, LeaveOutAndPlaceWhatIsNotFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const ErrorStatistics all = error_statistics(std::vector<double>{1, HUGE_VAL, 3, nan});
   EXPECT_EQ(all.mean, 2);
@@ -42,7 +42,7 @@ TEST(ErrorStatistics, leave_out_and_place_what_is_not_finite) {
   EXPECT_EQ(all.first_not_finite, 1u);
 }
 
-TEST(ErrorStatistics, of_nothing_and_of_zeros_are_zero) {
+TEST(ErrorStatistics, OfNothingAndOfZerosAreZero) {
   EXPECT_EQ(error_statistics({}).count, 0u);
   const ErrorStatistics all = error_statistics(std::vector<double>{0, 0});
   EXPECT_EQ(all.maximum, 0);

@@ -7,7 +7,7 @@
 namespace metamer {
 namespace {
 
-TEST(Srgb, has_the_published_matrices) {
+TEST(Srgb, HasThePublishedMatrices) {
   // IEC 61966-2-1, equations 7 and 8 (of its amendment), to their four digits.
   const srgb::Matrix3 to = {
       {{0.4124, 0.3576, 0.1805}, {0.2126, 0.7152, 0.0722}, {0.0193, 0.1192, 0.9505}}};
@@ -22,7 +22,7 @@ TEST(Srgb, has_the_published_matrices) {
   }
 }
 
-TEST(Srgb, white_is_d65_and_primaries_are_the_standards) {
+TEST(Srgb, WhiteIsD65AndPrimariesAreTheStandards) {
   const Xyz white = srgb::to_xyz({1, 1, 1});
   EXPECT_NEAR(white[0], 0.3127 / 0.3290, 1e-15);
   EXPECT_NEAR(white[1], 1, 1e-15);
@@ -38,14 +38,14 @@ TEST(Srgb, white_is_d65_and_primaries_are_the_standards) {
   }
 }
 
-TEST(Srgb, matrices_are_each_others_inverse) {
+TEST(Srgb, MatricesAreEachOthersInverse) {
   for (const srgb::Rgb& rgb : {srgb::Rgb{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-0.5, 2, 0.25}}) {
     const srgb::Rgb back = srgb::from_xyz(srgb::to_xyz(rgb));
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(back[c], rgb[c], 1e-14);
   }
 }
 
-TEST(SrgbTransfer, has_the_published_formula) {
+TEST(SrgbTransfer, HasThePublishedFormula) {
   EXPECT_EQ(srgb::encode(0), 0);
   EXPECT_NEAR(srgb::encode(1), 1, 1e-15);
   EXPECT_NEAR(srgb::encode(0.002), 0.02584, 1e-15);
@@ -53,7 +53,7 @@ TEST(SrgbTransfer, has_the_published_formula) {
   EXPECT_NEAR(srgb::decode(0.5), 0.21404114048223255, 1e-15);
 }
 
-TEST(SrgbTransfer, is_continuous_at_the_knee) {
+TEST(SrgbTransfer, IsContinuousAtTheKnee) {
   // The standard's rounded constants leave a step of 3e-8: a hundred-thousandth of an 8-bit step.
   const double knee = 0.0031308;
   EXPECT_NEAR(srgb::encode(knee), srgb::encode(std::nextafter(knee, 1)), 1e-7);
@@ -61,7 +61,7 @@ TEST(SrgbTransfer, is_continuous_at_the_knee) {
   EXPECT_NEAR(srgb::decode(encoded), srgb::decode(std::nextafter(encoded, 1)), 1e-8);
 }
 
-TEST(SrgbTransfer, has_an_inverse_everywhere) {
+TEST(SrgbTransfer, HasAnInverseEverywhere) {
   for (int i = -3000; i <= 3000; ++i) {
     const double value = i / 1000.0;
     EXPECT_NEAR(srgb::decode(srgb::encode(value)), value, 4e-15 + 2e-15 * std::abs(value)) << value;
@@ -69,7 +69,7 @@ TEST(SrgbTransfer, has_an_inverse_everywhere) {
   }
 }
 
-TEST(SrgbTransfer, is_odd_and_rises) {
+TEST(SrgbTransfer, IsOddAndRises) {
   double before = srgb::encode(-2.0);
   for (int i = -1999; i <= 2000; ++i) {
     const double value = i / 1000.0;

@@ -38,7 +38,7 @@ void expect_white(Observer observer, const White& white, double tolerance) {
   EXPECT_NEAR(c.y, white.y, tolerance) << white.light;
 }
 
-TEST(WhitePoints, are_the_published_ones_for_2_degrees) {
+TEST(WhitePoints, AreThePublishedOnesFor2Degrees) {
   // CIE 15, table T.3: five digits, of tables with finer steps than ours.
   for (const White& white : std::vector<White>{{"A", 0.44757, 0.40745},
                                                {"B", 0.34842, 0.35161},
@@ -51,7 +51,7 @@ TEST(WhitePoints, are_the_published_ones_for_2_degrees) {
   }
 }
 
-TEST(WhitePoints, of_fluorescent_lamps_are_the_published_ones) {
+TEST(WhitePoints, OfFluorescentLampsAreThePublishedOnes) {
   // CIE 15, table T.8: four digits.
   for (const White& white : std::vector<White>{{"F1", 0.3131, 0.3371},
                                                {"F2", 0.3721, 0.3751},
@@ -70,7 +70,7 @@ TEST(WhitePoints, of_fluorescent_lamps_are_the_published_ones) {
   expect_white(Observer::cie_1931_2deg, {"F10", 0.3458, 0.3588}, 4e-4);
 }
 
-TEST(WhitePoints, are_the_published_ones_for_10_degrees) {
+TEST(WhitePoints, AreThePublishedOnesFor10Degrees) {
   for (const White& white : std::vector<White>{{"A", 0.45117, 0.40594},
                                                {"C", 0.31039, 0.31905},
                                                {"D50", 0.34773, 0.35952},
@@ -95,7 +95,7 @@ double between(const Spectrum& table, double nm) {
   return table.values[left] + t * (table.values[left + 1] - table.values[left]);
 }
 
-TEST(Xyz, of_the_test_colours_equals_plain_sums) {
+TEST(Xyz, OfTheTestColoursEqualsPlainSums) {
   const Wavelengths wavelengths = *Wavelengths::uniform(400, 700, 1);
   const Spectrum& light = *cie::illuminant("D65");
   for (const Observer observer : {Observer::cie_1931_2deg, Observer::cie_1964_10deg}) {
@@ -122,7 +122,7 @@ TEST(Xyz, of_the_test_colours_equals_plain_sums) {
   }
 }
 
-TEST(Xyz, takes_each_sample_with_its_own_cell) {
+TEST(Xyz, TakesEachSampleWithItsOwnCell) {
   // Positions on nodes of the tables, 10 to 60 nm apart; widths by Fig. 4-2.
   const Wavelengths wavelengths = *Wavelengths::listed({450, 460, 490, 550});
   const double widths[] = {10, 20, 45, 60};
@@ -135,13 +135,13 @@ TEST(Xyz, takes_each_sample_with_its_own_cell) {
   }
 }
 
-TEST(Xyz, is_black_outside_the_observer) {
+TEST(Xyz, IsBlackOutsideTheObserver) {
   const Wavelengths wavelengths = *Wavelengths::listed({200, 359, 831, 1000});
   const ObserverWeights weights = observer_weights(Observer::cie_1931_2deg, wavelengths);
   EXPECT_EQ(to_xyz(weights, {1, 1, 1, 1}), (Xyz{0, 0, 0}));
 }
 
-TEST(Luminance, is_exactly_the_one_asked_for) {
+TEST(Luminance, IsExactlyTheOneAskedFor) {
   const Wavelengths wavelengths = *Wavelengths::uniform(400, 700, 5);
   for (const Observer observer : {Observer::cie_1931_2deg, Observer::cie_1964_10deg}) {
     const ObserverWeights weights = observer_weights(observer, wavelengths);
@@ -157,7 +157,7 @@ TEST(Luminance, is_exactly_the_one_asked_for) {
   }
 }
 
-TEST(Luminance, of_a_light_that_nobody_sees_has_the_scale_0) {
+TEST(Luminance, OfALightThatNobodySeesHasTheScale0) {
   const ObserverWeights weights =
       observer_weights(Observer::cie_1931_2deg, *Wavelengths::listed({400, 900}));
   EXPECT_EQ(luminance_scale(weights, {0, 0}, 1), 0);

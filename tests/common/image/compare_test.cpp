@@ -26,7 +26,7 @@ Image picture(int width, int height, const std::vector<Xyz>& pixels) {
   return image;
 }
 
-TEST(Compare, agrees_with_published_pairs_and_finds_the_largest) {
+TEST(Compare, AgreesWithPublishedPairsAndFindsTheLargest) {
   // Sharma, Wu and Dalal (2005), table 1, pairs 1, 25 and 17.
   const std::vector<Lab> a = {{50, 2.6772, -79.7751}, {60.2574, -34.0099, 36.2677}, {50, 2.5, 0}};
   const std::vector<Lab> b = {{50, 0, -82.7485}, {60.4626, -34.1751, 39.4387}, {73, 25, -18}};
@@ -43,7 +43,7 @@ TEST(Compare, agrees_with_published_pairs_and_finds_the_largest) {
   EXPECT_EQ(difference->statistics.at, 2u);
 }
 
-TEST(Compare, of_lightness_alone_is_its_difference_in_the_older_metrics) {
+TEST(Compare, OfLightnessAloneIsItsDifferenceInTheOlderMetrics) {
   // Greys differ in L* only; L* is 116 ∛Y − 16.
   const Image a = picture(1, 1, {white});
   const Image b = picture(1, 1, {{white[0] / 8, white[1] / 8, white[2] / 8}});
@@ -54,7 +54,7 @@ TEST(Compare, of_lightness_alone_is_its_difference_in_the_older_metrics) {
   }
 }
 
-TEST(Compare, of_a_picture_with_itself_is_zero_everywhere) {
+TEST(Compare, OfAPictureWithItselfIsZeroEverywhere) {
   const Image a = picture(2, 1, {{0.2, 0.4, 0.1}, {0, 0, 0}});
   for (const Metric metric : {Metric::de00, Metric::deab, Metric::deuv}) {
     const auto difference = compare(a, a, metric, white);
@@ -64,7 +64,7 @@ TEST(Compare, of_a_picture_with_itself_is_zero_everywhere) {
   }
 }
 
-TEST(Compare, places_what_is_not_finite_in_either_picture) {
+TEST(Compare, PlacesWhatIsNotFiniteInEitherPicture) {
   Image a = picture(3, 2, std::vector<Xyz>(6, {0.2, 0.2, 0.2})), b = a;
   a.at(2, 1)[1] = std::numeric_limits<float>::quiet_NaN();
   b.at(1, 0)[2] = std::numeric_limits<float>::infinity();
@@ -76,7 +76,7 @@ TEST(Compare, places_what_is_not_finite_in_either_picture) {
   EXPECT_EQ(difference->statistics.mean, 0);
 }
 
-TEST(Compare, refuses_pictures_of_different_size) {
+TEST(Compare, RefusesPicturesOfDifferentSize) {
   const auto difference = compare(make_image(3, 2, {"X", "Y", "Z"}),
                                   make_image(2, 3, {"X", "Y", "Z"}), Metric::de00, white);
   ASSERT_FALSE(difference);
@@ -92,7 +92,7 @@ std::array<long, 3> encoded(const Image& image, int x, int y) {
   return bytes;
 }
 
-TEST(FalseColor, goes_from_black_to_white_and_marks_what_is_no_number) {
+TEST(FalseColor, GoesFromBlackToWhiteAndMarksWhatIsNoNumber) {
   Difference difference;
   difference.width = 500;
   difference.height = 1;
@@ -115,7 +115,7 @@ TEST(FalseColor, goes_from_black_to_white_and_marks_what_is_no_number) {
   EXPECT_EQ(encoded(*drawn, 4, 0), (Rgb{160, 121, 73}));
 }
 
-TEST(FalseColor, gets_lighter_all_the_way_up) {
+TEST(FalseColor, GetsLighterAllTheWayUp) {
   Difference difference;
   difference.width = 1000;
   difference.height = 1;

@@ -72,7 +72,7 @@ std::vector<float> channel(const Image& image, const std::string& name) {
   return values;
 }
 
-TEST_F(ImageFile, exr_of_xyz_comes_back_bit_for_bit) {
+TEST_F(ImageFile, ExrOfXyzComesBackBitForBit) {
   // More rows than are converted at a time, and numbers that are hard to keep.
   Image image = noise(37, 150);
   image.pixels[0] = std::numeric_limits<float>::infinity();
@@ -94,7 +94,7 @@ TEST_F(ImageFile, exr_of_xyz_comes_back_bit_for_bit) {
   }
 }
 
-TEST_F(ImageFile, exr_of_rgb_holds_unclipped_linear_srgb) {
+TEST_F(ImageFile, ExrOfRgbHoldsUnclippedLinearSrgb) {
   const Image image = noise(70, 70);
   ASSERT_TRUE(write_image(image, folder_ / "a.EXR", false, {}));
   const auto back = read_image(folder_ / "a.EXR");
@@ -113,7 +113,7 @@ TEST_F(ImageFile, exr_of_rgb_holds_unclipped_linear_srgb) {
   }
 }
 
-TEST_F(ImageFile, exr_says_its_primaries_and_metadata) {
+TEST_F(ImageFile, ExrSaysItsPrimariesAndMetadata) {
   const std::map<std::string, std::string> metadata = {{"metamer:plan", "point, 61 samples"},
                                                        {"metamer:scene", "Größe\nzwei Zeilen"}};
   ASSERT_TRUE(write_image(noise(2, 2), folder_ / "a.exr", false, metadata));
@@ -130,7 +130,7 @@ TEST_F(ImageFile, exr_says_its_primaries_and_metadata) {
   EXPECT_EQ(input->spec().format, OIIO::TypeDesc::FLOAT);
 }
 
-TEST_F(ImageFile, png_keeps_metadata_and_says_srgb) {
+TEST_F(ImageFile, PngKeepsMetadataAndSaysSrgb) {
   ASSERT_TRUE(write_image(noise(2, 2), folder_ / "a.png", false, {{"metamer:plan", "point"}}));
   const auto input = OIIO::ImageInput::open((folder_ / "a.png").string());
   ASSERT_TRUE(input);
@@ -170,7 +170,7 @@ std::string profile_of(const fs::path& file) {
   return {static_cast<const char*>(found->data()), found->type().size()};
 }
 
-TEST_F(ImageFile, png_of_another_space_says_what_its_numbers_mean) {
+TEST_F(ImageFile, PngOfAnotherSpaceSaysWhatItsNumbersMean) {
   Developing wide;
   wide.space = rgb_space(StandardSpace::display_p3);
   ASSERT_TRUE(write_image(noise(2, 2), folder_ / "a.png", false, {}, wide));
@@ -199,7 +199,7 @@ TEST_F(ImageFile, png_of_another_space_says_what_its_numbers_mean) {
   EXPECT_EQ(profile_of(folder_ / "c.png"), "");
 }
 
-TEST_F(ImageFile, png_holds_the_code_values_of_its_space) {
+TEST_F(ImageFile, PngHoldsTheCodeValuesOfItsSpace) {
   const RgbSpace& space = rgb_space(StandardSpace::adobe_rgb);
   Image image = make_image(3, 1, {"X", "Y", "Z"});
   const Rgb colors[] = {{0.2, 0.5, 0.8}, {1, 1, 1}, {-0.1, 0.5, 1.2}};
@@ -225,7 +225,7 @@ TEST_F(ImageFile, png_holds_the_code_values_of_its_space) {
   }
 }
 
-TEST_F(ImageFile, exr_is_linear_in_its_space_and_adapted) {
+TEST_F(ImageFile, ExrIsLinearInItsSpaceAndAdapted) {
   Developing developing;
   developing.space = rgb_space(StandardSpace::prophoto);
   const Xyz tinted = {1.0985, 1, 0.3558};
@@ -247,7 +247,7 @@ TEST_F(ImageFile, exr_is_linear_in_its_space_and_adapted) {
   for (int i = 0; i < 8; ++i) EXPECT_EQ(own[i], expected[i]);
 }
 
-TEST_F(ImageFile, png_rounds_to_the_nearest_of_256) {
+TEST_F(ImageFile, PngRoundsToTheNearestOf256) {
   // Greys 0.49 of a step below and above each code.
   std::vector<srgb::Rgb> linear;
   for (int code = 0; code < 256; ++code) {
@@ -267,7 +267,7 @@ TEST_F(ImageFile, png_rounds_to_the_nearest_of_256) {
   }
 }
 
-TEST_F(ImageFile, png_counts_the_pixels_that_it_clips) {
+TEST_F(ImageFile, PngCountsThePixelsThatItClips) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Image image = row_of(
       {{0, 0, 0}, {1, 1, 1}, {-0.01, 0.5, -0.01}, {1.01, 0.5, 0.5}, {-1, 2, 0}, {nan, 0, 0}});
@@ -283,7 +283,7 @@ TEST_F(ImageFile, png_counts_the_pixels_that_it_clips) {
   EXPECT_EQ(back->at(5, 0)[0], 0.0F);
 }
 
-TEST_F(ImageFile, png_counts_no_rounding_of_f32) {
+TEST_F(ImageFile, PngCountsNoRoundingOfF32) {
   const auto report =
       write_image(row_of({{1 + 5e-7, -5e-7, 0}, {1, 1, 1}}), folder_ / "a.png", false, {});
   ASSERT_TRUE(report) << format(report.error());
@@ -291,7 +291,7 @@ TEST_F(ImageFile, png_counts_no_rounding_of_f32) {
   EXPECT_EQ(report->above, 0U);
 }
 
-TEST_F(ImageFile, writes_no_other_formats) {
+TEST_F(ImageFile, WritesNoOtherFormats) {
   const Image image = noise(2, 2);
   EXPECT_EQ(error_of(write_image(image, "a.tiff", false, {})),
             "a.tiff: error: pictures are written as .png or .exr, not as \".tiff\"");
@@ -301,7 +301,7 @@ TEST_F(ImageFile, writes_no_other_formats) {
             "a.png: error: XYZ can only be written as .exr");
 }
 
-TEST_F(ImageFile, says_why_a_folder_cant_be_written) {
+TEST_F(ImageFile, SaysWhyAFolderCantBeWritten) {
   const fs::path file = folder_ / "missing" / "a.png";
   EXPECT_EQ(error_of(write_image(noise(2, 2), file, false, {})),
             file.string() + ": error: can't be written: No such file or directory");
@@ -312,7 +312,7 @@ TEST_F(ImageFile, says_why_a_folder_cant_be_written) {
   EXPECT_EQ(files(), std::vector<std::string>{"taken.png"}) << "nothing is left over";
 }
 
-TEST_F(ImageFile, a_disk_that_fills_up_leaves_the_older_picture) {
+TEST_F(ImageFile, ADiskThatFillsUpLeavesTheOlderPicture) {
   for (const char* name : {"a.png", "a.exr"}) {
     ASSERT_TRUE(write_image(noise(4, 4), folder_ / name, false, {}));
     const std::string before = slurp(folder_ / name);
@@ -335,14 +335,14 @@ TEST_F(ImageFile, a_disk_that_fills_up_leaves_the_older_picture) {
   }
 }
 
-TEST_F(ImageFile, replaces_an_older_picture) {
+TEST_F(ImageFile, ReplacesAnOlderPicture) {
   ASSERT_TRUE(write_image(noise(4, 4), folder_ / "a.png", false, {}));
   ASSERT_TRUE(write_image(noise(8, 4), folder_ / "a.png", false, {}));
   EXPECT_EQ(read_image(folder_ / "a.png")->width, 8);
   EXPECT_EQ(files(), std::vector<std::string>{"a.png"});
 }
 
-TEST_F(ImageFile, the_same_picture_is_the_same_bytes) {
+TEST_F(ImageFile, TheSamePictureIsTheSameBytes) {
   for (const char* extension : {".png", ".exr"}) {
     ASSERT_TRUE(write_image(noise(50, 80), folder_ / ("a" + std::string(extension)), false, {}));
     ASSERT_TRUE(write_image(noise(50, 80), folder_ / ("b" + std::string(extension)), false, {}));
@@ -356,13 +356,13 @@ std::string read_error(const fs::path& file) {
   return result ? "no error" : format(result.error());
 }
 
-TEST_F(ImageFile, reads_only_what_is_there) {
+TEST_F(ImageFile, ReadsOnlyWhatIsThere) {
   EXPECT_EQ(read_error(folder_ / "a.png"), (folder_ / "a.png").string() + ": error: no such file");
   EXPECT_EQ(read_error("a.jpg"),
             "a.jpg: error: pictures are read from .png or .exr, not from \".jpg\"");
 }
 
-TEST_F(ImageFile, broken_pictures_are_errors) {
+TEST_F(ImageFile, BrokenPicturesAreErrors) {
   testing::internal::CaptureStderr();  // libpng writes there by itself.
   for (const char* name : {"a.png", "a.exr"}) {
     ASSERT_TRUE(write_image(noise(50, 80), folder_ / name, false, {}));
@@ -393,7 +393,7 @@ std::string png_chunk(const std::string& name, const std::string& data) {
   return big_endian(static_cast<std::uint32_t>(data.size())) + name + data + big_endian(~crc);
 }
 
-TEST_F(ImageFile, a_header_that_asks_for_too_much_is_refused) {
+TEST_F(ImageFile, AHeaderThatAsksForTooMuchIsRefused) {
   const std::string size("\0\0\xEA\x60", 4);    // 60000
   const std::string rest("\x08\x02\0\0\0", 5);  // 8 bits, RGB
   std::ofstream(folder_ / "a.png", std::ios::binary)
@@ -404,7 +404,7 @@ TEST_F(ImageFile, a_header_that_asks_for_too_much_is_refused) {
                 ": error: the picture is too large: 60000 × 60000 × 3 values, at most 268435456");
 }
 
-TEST_F(ImageFile, nothing_starts_threads) {
+TEST_F(ImageFile, NothingStartsThreads) {
   const auto threads = [] {
     std::size_t count = 0;
     for (const auto& task : fs::directory_iterator("/proc/self/task"))

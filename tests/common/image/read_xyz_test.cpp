@@ -31,7 +31,7 @@ void expect_xyz(const Result<XyzPicture>& picture, const Xyz& expected, double w
     EXPECT_NEAR(picture->image.at(0, 0)[c], expected[c], within) << c;
 }
 
-TEST_F(ReadXyz, decodes_a_png) {
+TEST_F(ReadXyz, DecodesAPng) {
   write_pixel(folder_ / "a.png", {"R", "G", "B"}, {1, 0, 188 / 255.0F});
   expect_xyz(read_xyz(folder_ / "a.png", {}), srgb::to_xyz({1, 0, srgb::decode(188 / 255.0)}),
              1e-6);
@@ -40,12 +40,12 @@ TEST_F(ReadXyz, decodes_a_png) {
   expect_xyz(read_xyz(folder_ / "grey.png", {}), srgb::to_xyz({grey, grey, grey}), 1e-6);
 }
 
-TEST_F(ReadXyz, takes_x_y_z_as_they_are) {
+TEST_F(ReadXyz, TakesXYZAsTheyAre) {
   write_pixel(folder_ / "a.exr", {"Z", "Y", "A", "X"}, {3, 2, 0.5F, 1});
   expect_xyz(read_xyz(folder_ / "a.exr", {}), {1, 2, 3}, 0);
 }
 
-TEST_F(ReadXyz, goes_by_the_files_chromaticities) {
+TEST_F(ReadXyz, GoesByTheFilesChromaticities) {
   // The red primary of Rec. 2020 (ITU-R BT.2020): x 0.708, y 0.292, and the luminance 0.2627.
   const std::vector<float> rec_2020 = {0.708F, 0.292F, 0.170F,  0.797F,
                                        0.131F, 0.046F, 0.3127F, 0.3290F};
@@ -59,7 +59,7 @@ TEST_F(ReadXyz, goes_by_the_files_chromaticities) {
   expect_xyz(read_xyz(folder_ / "c.exr", {}), srgb::to_xyz({0.2, 0.4, 0.6}), 1e-6);
 }
 
-TEST_F(ReadXyz, refuses_what_has_no_colour_to_tell) {
+TEST_F(ReadXyz, RefusesWhatHasNoColourToTell) {
   const auto refused = [&](const char* name) {
     const auto picture = read_xyz(folder_ / name, {});
     return picture ? "none" : picture.error().message;
@@ -68,9 +68,11 @@ TEST_F(ReadXyz, refuses_what_has_no_colour_to_tell) {
   EXPECT_EQ(refused("a.exr"),
             "the picture has neither X Y Z nor R G B nor a spectrum; its channels are \"Y\"");
   write_pixel(folder_ / "b.exr", {"R", "G", "B"}, {1, 1, 1}, std::vector<float>(8, 0.3F));
-  EXPECT_EQ(refused("b.exr"), "its chromaticities make no RGB space");
+  EXPECT_EQ(refused("b.exr"),
+            "its chromaticities make no RGB space: red, green and blue must not lie on a line");
   write_pixel(folder_ / "c.exr", {"R", "G", "B"}, {1, 1, 1}, std::vector<float>(8, 0.0F));
-  EXPECT_EQ(refused("c.exr"), "its chromaticities make no RGB space");
+  EXPECT_EQ(refused("c.exr"),
+            "its chromaticities make no RGB space: red must have a y other than 0 (it is 0)");
   write_pixel(folder_ / "d.png", {"R", "G", "B", "A"}, {1, 1, 1, 0.5F});
   EXPECT_EQ(refused("d.png"), "the picture has transparent pixels");
   EXPECT_EQ(refused("nowhere.png"), "no such file");

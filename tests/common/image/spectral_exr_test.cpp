@@ -58,7 +58,7 @@ void write_channels(const std::filesystem::path& file, const std::vector<std::st
 
 using SpectralExr = ImageFile;
 
-TEST_F(SpectralExr, says_to_openexr_what_the_layout_demands) {
+TEST_F(SpectralExr, SaysToOpenexrWhatTheLayoutDemands) {
   const SpectralImage image = some_spectra();
   const auto file = folder_ / "a.exr";
   const auto written =
@@ -74,7 +74,7 @@ TEST_F(SpectralExr, says_to_openexr_what_the_layout_demands) {
     EXPECT_NE(header.find(line), std::string::npos) << line << " is not in\n" << header;
 }
 
-TEST_F(SpectralExr, of_reflectances_has_channels_t_and_no_emissive_units) {
+TEST_F(SpectralExr, OfReflectancesHasChannelsTAndNoEmissiveUnits) {
   const SpectralImage image = some_spectra(true);
   const auto file = folder_ / "a.exr";
   ASSERT_TRUE(write_spectral_exr(image, grey_preview(image), file, {}));
@@ -84,7 +84,7 @@ TEST_F(SpectralExr, of_reflectances_has_channels_t_and_no_emissive_units) {
   EXPECT_EQ(header.find("emissiveUnits"), std::string::npos);
 }
 
-TEST_F(SpectralExr, comes_back_bit_for_bit_in_the_order_of_wavelengths) {
+TEST_F(SpectralExr, ComesBackBitForBitInTheOrderOfWavelengths) {
   for (const bool reflectance : {false, true}) {
     const SpectralImage image = some_spectra(reflectance);
     ASSERT_TRUE(write_spectral_exr(image, grey_preview(image), folder_ / "a.exr", {}));
@@ -101,7 +101,7 @@ TEST_F(SpectralExr, comes_back_bit_for_bit_in_the_order_of_wavelengths) {
   }
 }
 
-TEST_F(SpectralExr, shows_its_preview_to_programs_that_know_rgb_alone) {
+TEST_F(SpectralExr, ShowsItsPreviewToProgramsThatKnowRgbAlone) {
   const SpectralImage image = some_spectra();
   ASSERT_TRUE(write_spectral_exr(image, grey_preview(image), folder_ / "a.exr", {}));
   const auto back = read_image(folder_ / "a.exr");
@@ -110,7 +110,7 @@ TEST_F(SpectralExr, shows_its_preview_to_programs_that_know_rgb_alone) {
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(back->at(2, 69)[c], 0.5, 1e-6);
 }
 
-TEST_F(SpectralExr, by_others_is_read_in_their_spelling) {
+TEST_F(SpectralExr, ByOthersIsReadInTheirSpelling) {
   write_channels(folder_ / "a.exr", {"S0.0,7um", "S0.550nm", "S1.550nm", "S0.540THz"}, "W/m^2/sr");
   const auto read = read_spectral_exr(folder_ / "a.exr");
   ASSERT_TRUE(read) << format(read.error());
@@ -122,14 +122,14 @@ TEST_F(SpectralExr, by_others_is_read_in_their_spelling) {
   EXPECT_TRUE((*read)->polarised);
 }
 
-TEST_F(SpectralExr, without_a_spectrum_is_nothing_and_no_error) {
+TEST_F(SpectralExr, WithoutASpectrumIsNothingAndNoError) {
   write_channels(folder_ / "a.exr", {"R", "G", "B", "depth"});
   const auto read = read_spectral_exr(folder_ / "a.exr");
   ASSERT_TRUE(read);
   EXPECT_FALSE(*read);
 }
 
-TEST_F(SpectralExr, that_is_hostile_is_refused_by_name) {
+TEST_F(SpectralExr, ThatIsHostileIsRefusedByName) {
   const auto file = folder_ / "a.exr";
   const auto refused = [&](const std::vector<std::string>& names) {
     write_channels(file, names);
@@ -151,7 +151,7 @@ TEST_F(SpectralExr, that_is_hostile_is_refused_by_name) {
   EXPECT_EQ(refused(many), start + "the picture has 4002 wavelengths, at most 4001 are possible");
 }
 
-TEST_F(SpectralExr, is_not_written_where_names_would_collide_or_as_png) {
+TEST_F(SpectralExr, IsNotWrittenWhereNamesWouldCollideOrAsPng) {
   SpectralImage image = some_spectra();
   image.nm[1] = image.nm[0] + 1e-8;
   const auto written = write_spectral_exr(image, grey_preview(image), folder_ / "a.exr", {});
@@ -162,7 +162,7 @@ TEST_F(SpectralExr, is_not_written_where_names_would_collide_or_as_png) {
   EXPECT_TRUE(files().empty());
 }
 
-TEST_F(SpectralExr, of_a_white_reflectance_has_its_lights_white) {
+TEST_F(SpectralExr, OfAWhiteReflectanceHasItsLightsWhite) {
   // Under E every nm weighs the same: X = Σ x̄ / Σ ȳ.
   SpectralImage image;
   image.width = image.height = 1;
@@ -188,7 +188,7 @@ TEST_F(SpectralExr, of_a_white_reflectance_has_its_lights_white) {
   EXPECT_NEAR(picture->image.at(0, 0)[2], 0.35585, 2e-4);
 }
 
-TEST_F(SpectralExr, of_an_emission_is_seen_by_the_observer_asked_for) {
+TEST_F(SpectralExr, OfAnEmissionIsSeenByTheObserverAskedFor) {
   // A line of one wavelength: X : Y : Z is x̄ : ȳ : z̄ there (CIE 1931: 0.2904, 0.954, 0.0203 at
   // 540).
   SpectralImage image;

@@ -23,14 +23,14 @@ std::string refusal(const std::string& name) {
   return channel ? "none" : channel.error().message;
 }
 
-TEST(SpectralChannelName, is_written_with_a_comma_and_six_decimals) {
+TEST(SpectralChannelName, IsWrittenWithACommaAndSixDecimals) {
   EXPECT_EQ(spectral_channel_name({Kind::emission, 550}), "S0.550,000000nm");
   EXPECT_EQ(spectral_channel_name({Kind::reflectance, 380.125}), "T.380,125000nm");
   EXPECT_EQ(nm_of("S0.550,000000nm"), 550);
   EXPECT_EQ(nm_of("T.380,125000nm"), 380.125);
 }
 
-TEST(SpectralChannelName, comes_in_any_length_or_frequency) {
+TEST(SpectralChannelName, ComesInAnyLengthOrFrequency) {
   EXPECT_EQ(nm_of("S0.550.5nm"), 550.5);
   EXPECT_DOUBLE_EQ(nm_of("S0.0,55um"), 550);
   EXPECT_DOUBLE_EQ(nm_of("S0.0,55µm"), 550);
@@ -42,14 +42,14 @@ TEST(SpectralChannelName, comes_in_any_length_or_frequency) {
   EXPECT_NEAR(nm_of("S0.5,4E14Hz"), 555.171, 1e-3);
 }
 
-TEST(SpectralChannelName, tells_emission_reflectance_and_polarisation) {
+TEST(SpectralChannelName, TellsEmissionReflectanceAndPolarisation) {
   const auto kind = [](const char* name) { return (*parse_spectral_channel(name))->kind; };
   EXPECT_EQ(kind("S0.550nm"), Kind::emission);
   EXPECT_EQ(kind("S3.550nm"), Kind::polarisation);
   EXPECT_EQ(kind("T.550nm"), Kind::reflectance);
 }
 
-TEST(SpectralChannelName, of_another_sort_is_left_alone) {
+TEST(SpectralChannelName, OfAnotherSortIsLeftAlone) {
   for (const char* name : {"R", "S0", "S4.550nm", "T.red", "Z", "", "left.S0.550nm", "S0.R"}) {
     const auto channel = parse_spectral_channel(name);
     ASSERT_TRUE(channel) << name;
@@ -57,7 +57,7 @@ TEST(SpectralChannelName, of_another_sort_is_left_alone) {
   }
 }
 
-TEST(SpectralChannelName, that_is_hostile_is_refused) {
+TEST(SpectralChannelName, ThatIsHostileIsRefused) {
   EXPECT_EQ(refusal("S0.,nm"), "channel \"S0.,nm\": \",nm\" is not a number and a unit");
   EXPECT_EQ(refusal("S0.nm"), "channel \"S0.nm\": \"nm\" is not a number and a unit");
   EXPECT_EQ(refusal("T.m"), "channel \"T.m\": \"m\" is not a number and a unit");
@@ -70,7 +70,7 @@ TEST(SpectralChannelName, that_is_hostile_is_refused) {
               "channel \"S0." + number + "\": the wavelength \"" + number + "\"" + range);
 }
 
-TEST(SpectrumAttribute, may_lack_its_last_semicolon) {
+TEST(SpectrumAttribute, MayLackItsLastSemicolon) {
   const Spectrum expected{{400, 410}, {0.1, 0.2}};
   for (const char* text : {"400.00nm:0.1;410.00nm:0.2;", "400.00nm:0.1;410.00nm:0.2",
                            "410nm:0.2;400nm:0.1;", "400,00nm:0,1;410nm:2e-1"}) {
@@ -80,7 +80,7 @@ TEST(SpectrumAttribute, may_lack_its_last_semicolon) {
   }
 }
 
-TEST(SpectrumAttribute, that_is_hostile_is_refused) {
+TEST(SpectrumAttribute, ThatIsHostileIsRefused) {
   const auto refused = [](const std::string& text) {
     const auto spectrum = parse_spectrum_attribute(text);
     return spectrum ? "none" : spectrum.error().message;
@@ -98,7 +98,7 @@ TEST(SpectrumAttribute, that_is_hostile_is_refused) {
   EXPECT_EQ(refused(many), "at most 4001 samples are possible");
 }
 
-TEST(EmissiveUnits, have_two_spellings) {
+TEST(EmissiveUnits, HaveTwoSpellings) {
   EXPECT_EQ(emissive_units("W.m^-2.sr^-1"), "W.m^-2.sr^-1");
   EXPECT_EQ(emissive_units("W/m^2/sr"), "W.m^-2.sr^-1");
   EXPECT_EQ(emissive_units("W / m^2 / sr"), "W.m^-2.sr^-1");

@@ -36,7 +36,7 @@ struct File {
 
 const std::vector<double> nm = {400, 410, 420};
 
-TEST(Cgats, reads_several_named_spectra) {
+TEST(Cgats, ReadsSeveralNamedSpectra) {
   const Spectra spectra = read(File().text());
   ASSERT_EQ(spectra.size(), 2U);
   EXPECT_EQ(spectra[0].name, "red");
@@ -45,13 +45,13 @@ TEST(Cgats, reads_several_named_spectra) {
   EXPECT_EQ(spectra[1].spectrum, (Spectrum{nm, {0.4, 0.5, 0.6}}));
 }
 
-TEST(Cgats, reads_over_what_it_does_not_use) {
+TEST(Cgats, ReadsOverWhatItDoesNotUse) {
   File file;
   file.start = "CREATED \"a # b\" # when\nLGOROWLENGTH 12\nKEYWORD \"FOO\"\nFOO\n" + file.start;
   EXPECT_EQ(read(file.text()).size(), 2U);
 }
 
-TEST(Cgats, takes_quoted_numbers_and_names_with_blanks) {
+TEST(Cgats, TakesQuotedNumbersAndNamesWithBlanks) {
   File file;
   file.bands = "SPECTRAL_BANDS\t\"3\"\n";
   file.data = "BEGIN_DATA\n\"dark red\" \"0.1\" 0.2 0.3\n\"\" 0.4 0.5 0.6\nEND_DATA\n";
@@ -62,7 +62,7 @@ TEST(Cgats, takes_quoted_numbers_and_names_with_blanks) {
   EXPECT_EQ(spectra[1].name, "");
 }
 
-TEST(Cgats, takes_sets_that_run_over_several_lines) {
+TEST(Cgats, TakesSetsThatRunOverSeveralLines) {
   File file;
   file.data = "BEGIN_DATA red 0.1\n0.2\n0.3 blue 0.4 0.5\n0.6 END_DATA\n";
   const Spectra spectra = read(file.text());
@@ -70,7 +70,7 @@ TEST(Cgats, takes_sets_that_run_over_several_lines) {
   EXPECT_EQ(spectra[1].spectrum, (Spectrum{nm, {0.4, 0.5, 0.6}}));
 }
 
-TEST(Cgats, takes_other_columns_anywhere) {
+TEST(Cgats, TakesOtherColumnsAnywhere) {
   File file;
   file.fields = "";
   file.format =
@@ -82,21 +82,21 @@ TEST(Cgats, takes_other_columns_anywhere) {
   EXPECT_EQ(spectra[1].spectrum, (Spectrum{nm, {0.4, 0.5, 0.6}}));
 }
 
-TEST(Cgats, divides_by_the_norm) {
+TEST(Cgats, DividesByTheNorm) {
   File file;
   file.sets += "SPECTRAL_NORM 100\n";
   file.data = "BEGIN_DATA\nred 10 20 30\nblue 40 50 60\nEND_DATA\n";
   EXPECT_EQ(read(file.text())[1].spectrum, (Spectrum{nm, {0.4, 0.5, 0.6}}));
 }
 
-TEST(Cgats, takes_positions_from_the_columns_where_the_header_has_none) {
+TEST(Cgats, TakesPositionsFromTheColumnsWhereTheHeaderHasNone) {
   File file;
   file.start = file.end = file.bands = "";
   file.format = "BEGIN_DATA_FORMAT SAMPLE_ID nm400 nm410.5 nm420 END_DATA_FORMAT\n";
   EXPECT_EQ(read(file.text())[0].spectrum, (Spectrum{{400, 410.5, 420}, {0.1, 0.2, 0.3}}));
 }
 
-TEST(Cgats, takes_positions_from_the_header_where_names_are_rounded) {
+TEST(Cgats, TakesPositionsFromTheHeaderWhereNamesAreRounded) {
   File file;
   file.end = "SPECTRAL_END_NM 406.5\n";
   file.format = "BEGIN_DATA_FORMAT SAMPLE_ID SPEC_400 SPEC_403 SPEC_407 END_DATA_FORMAT\n";
@@ -106,7 +106,7 @@ TEST(Cgats, takes_positions_from_the_header_where_names_are_rounded) {
   EXPECT_EQ(read(file.text())[0].spectrum.nm, (std::vector<double>{400, 403.25, 406.5}));
 }
 
-TEST(Cgats, reads_one_band) {
+TEST(Cgats, ReadsOneBand) {
   File file;
   file.end = "SPECTRAL_END_NM 400\n";
   file.bands = "SPECTRAL_BANDS 1\n";
@@ -118,7 +118,7 @@ TEST(Cgats, reads_one_band) {
   EXPECT_EQ(error_of(file.text()), "tcs.sp:3:17: error: one band can't reach from 400 to 410 nm");
 }
 
-TEST(Cgats, adds_the_spectra_of_a_second_table) {
+TEST(Cgats, AddsTheSpectraOfASecondTable) {
   const std::string second =
       "NUMBER_OF_SETS 1\nBEGIN_DATA\ngreen 0.7 0.8 0.9\nEND_DATA\n"
       "NUMBER_OF_FIELDS 2\nNUMBER_OF_SETS 1\n"
@@ -128,7 +128,7 @@ TEST(Cgats, adds_the_spectra_of_a_second_table) {
   EXPECT_EQ(spectra[2].name, "green");
 }
 
-TEST(Cgats, finds_bands_that_lie) {
+TEST(Cgats, FindsBandsThatLie) {
   File file;
   file.bands = "SPECTRAL_BANDS 4\n";
   EXPECT_EQ(error_of(file.text()),
@@ -149,7 +149,7 @@ TEST(Cgats, finds_bands_that_lie) {
   EXPECT_EQ(error_of(file.text()), "tcs.sp:4:1: error: SPECTRAL_BANDS has no value");
 }
 
-TEST(Cgats, finds_a_header_that_contradicts_itself_or_the_columns) {
+TEST(Cgats, FindsAHeaderThatContradictsItselfOrTheColumns) {
   File file;
   file.end = "";
   EXPECT_EQ(error_of(file.text()),
@@ -166,7 +166,7 @@ TEST(Cgats, finds_a_header_that_contradicts_itself_or_the_columns) {
   EXPECT_EQ(error_of(file.text()), "tcs.sp:3:17: error: \"nan\" is not a finite number");
 }
 
-TEST(Cgats, finds_counts_that_lie) {
+TEST(Cgats, FindsCountsThatLie) {
   File file;
   file.fields = "NUMBER_OF_FIELDS 5\n";
   EXPECT_EQ(error_of(file.text()),
@@ -180,7 +180,7 @@ TEST(Cgats, finds_counts_that_lie) {
             "tcs.sp:11:1: error: more data than NUMBER_OF_SETS, 1, stands for");
 }
 
-TEST(Cgats, finds_columns_that_do_not_rise) {
+TEST(Cgats, FindsColumnsThatDoNotRise) {
   File file;
   file.start = file.end = file.bands = "";
   file.format = "BEGIN_DATA_FORMAT\nSAMPLE_ID SPEC_400 SPEC_420 SPEC_410\nEND_DATA_FORMAT\n";
@@ -190,7 +190,7 @@ TEST(Cgats, finds_columns_that_do_not_rise) {
             "tcs.sp:1:1: error: no spectrum: the data have no columns like SPEC_380");
 }
 
-TEST(Cgats, finds_words_and_nonsense_among_the_values) {
+TEST(Cgats, FindsWordsAndNonsenseAmongTheValues) {
   File file;
   file.data = "BEGIN_DATA\nred 0.1 0.2 0.3\nblue 0.4 x 0.6\nEND_DATA\n";
   EXPECT_EQ(error_of(file.text()), "tcs.sp:12:10: error: \"x\" is not a number");
@@ -202,7 +202,7 @@ TEST(Cgats, finds_words_and_nonsense_among_the_values) {
             "tcs.sp:12:9: error: \"1e308\" divided by SPECTRAL_NORM is not finite");
 }
 
-TEST(Cgats, finds_data_that_stop_short) {
+TEST(Cgats, FindsDataThatStopShort) {
   File file;
   file.data = "BEGIN_DATA\nred 0.1 0.2 0.3\nblue 0.4 0.5\nEND_DATA\n";
   EXPECT_EQ(error_of(file.text()),
@@ -218,7 +218,7 @@ TEST(Cgats, finds_data_that_stop_short) {
   EXPECT_EQ(error_of(file.text()), "tcs.sp:8:19: error: END_DATA_FORMAT is missing");
 }
 
-TEST(Cgats, finds_parts_that_are_missing) {
+TEST(Cgats, FindsPartsThatAreMissing) {
   EXPECT_EQ(error_of("SPECT\nBEGIN_DATA\n1\nEND_DATA\n"),
             "tcs.sp:2:1: error: BEGIN_DATA stands before any data format");
   EXPECT_EQ(error_of("SPECT\nDESCRIPTOR \"a\n"),
@@ -226,7 +226,7 @@ TEST(Cgats, finds_parts_that_are_missing) {
   EXPECT_EQ(error_of("\"a\n"), "tcs.sp:1:1: error: the string has no closing quote");
 }
 
-TEST(Cgats, each_prefix_of_a_file_is_an_error_and_no_crash) {
+TEST(Cgats, EachPrefixOfAFileIsAnErrorAndNoCrash) {
   const std::string text = File().text();
   const std::size_t whole = text.rfind("END_DATA") + 8;
   for (std::size_t size = 0; size < whole; ++size) {
@@ -235,7 +235,7 @@ TEST(Cgats, each_prefix_of_a_file_is_an_error_and_no_crash) {
   EXPECT_EQ(error_of(text.substr(0, whole)), "no error");
 }
 
-TEST(Cgats, bounds_its_columns_and_spectra) {
+TEST(Cgats, BoundsItsColumnsAndSpectra) {
   std::string columns;
   for (int i = 0; i < 5001; ++i) columns += " LAB_" + std::to_string(i);
   const std::string wide = "BEGIN_DATA_FORMAT" + columns;

@@ -11,7 +11,7 @@ double value_at(const Spectrum& spectrum, double nm) {
   return resample(spectrum, {nm}, Outside::zero).values.front();
 }
 
-TEST(CieTables, are_all_there) {
+TEST(CieTables, AreAllThere) {
   EXPECT_EQ(cie::illuminant_names(),
             (std::vector<std::string>{"A",  "B",  "C",  "D50", "D55", "D65", "D93",
                                       "E",  "F1", "F2", "F3",  "F4",  "F5",  "F6",
@@ -24,7 +24,7 @@ TEST(CieTables, are_all_there) {
   EXPECT_EQ(cie::test_color("TCS16"), nullptr);
 }
 
-TEST(CieTables, are_sound_spectra) {
+TEST(CieTables, AreSoundSpectra) {
   for (const std::string& name : cie::illuminant_names()) {
     const Spectrum& light = *cie::illuminant(name);
     ASSERT_TRUE(make_spectrum(light.nm, light.values)) << name;
@@ -39,7 +39,7 @@ TEST(CieTables, are_sound_spectra) {
   }
 }
 
-TEST(CieTables, of_the_observers_hold_the_published_values) {
+TEST(CieTables, OfTheObserversHoldThePublishedValues) {
   // CIE 15, tables T.4 and T.5.
   const auto& two = cie::matching_functions(cie::Observer::cie_1931_2deg);
   EXPECT_EQ(value_at(two[0], 600), 1.0622);
@@ -53,7 +53,7 @@ TEST(CieTables, of_the_observers_hold_the_published_values) {
   EXPECT_EQ(value_at(ten[2], 445), 2.0273);
 }
 
-TEST(CieTables, of_illuminant_a_follow_its_definition) {
+TEST(CieTables, OfIlluminantAFollowItsDefinition) {
   // CIE 15, equation 3.1: a Planckian radiator at 2848 K with c2 = 1.435e7 nm·K.
   const auto planck = [](double nm) {
     return std::pow(560 / nm, 5) * std::expm1(1.435e7 / (2848 * 560)) /
@@ -67,7 +67,7 @@ TEST(CieTables, of_illuminant_a_follow_its_definition) {
   }
 }
 
-TEST(CieTables, of_the_equal_energy_light_are_equal) {
+TEST(CieTables, OfTheEqualEnergyLightAreEqual) {
   for (const double value : cie::illuminant("E")->values) EXPECT_EQ(value, 1.0);
 }
 

@@ -25,23 +25,23 @@ Spectrum only(std::string_view text) {
 
 const Spectrum figure_4_4 = {.nm = {400, 500, 600, 700}, .values = {0.2, 0.3, 0.6, 0.8}};
 
-TEST(SpectrumFile, reads_both_examples_of_figure_4_4) {
+TEST(SpectrumFile, ReadsBothExamplesOfFigure44) {
   EXPECT_EQ(only("400 700 100\n0.2\n0.3\n0.6\n0.8\n"), figure_4_4);
   EXPECT_EQ(only("400 0.2\n500 0.3\n600 0.6\n700 0.8\n"), figure_4_4);
 }
 
-TEST(SpectrumFile, takes_comments_blank_lines_and_windows_lines) {
+TEST(SpectrumFile, TakesCommentsBlankLinesAndWindowsLines) {
   EXPECT_EQ(only("# a paint\r\n\r\n400 700 100 # nm\r\n\t0.2 0.3\r\n0.6 0.8"), figure_4_4);
   EXPECT_EQ(only("\xEF\xBB\xBF# a paint\n400\t0.2\n  500   +3e-1\n\n600 .6\n700 8E-1"), figure_4_4);
 }
 
-TEST(SpectrumFile, reads_a_single_sample) {
+TEST(SpectrumFile, ReadsASingleSample) {
   const Spectrum line = {.nm = {589}, .values = {1}};
   EXPECT_EQ(only("589 1"), line);
   EXPECT_EQ(only("589 589 1\n1"), line);
 }
 
-TEST(SpectrumFile, has_a_decimal_point_whatever_the_locale) {
+TEST(SpectrumFile, HasADecimalPointWhateverTheLocale) {
   const std::string before = std::setlocale(LC_ALL, nullptr);
   for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "C.UTF-8"}) {
     if (std::setlocale(LC_ALL, name) == nullptr) continue;
@@ -50,7 +50,7 @@ TEST(SpectrumFile, has_a_decimal_point_whatever_the_locale) {
   std::setlocale(LC_ALL, before.c_str());
 }
 
-TEST(SpectrumFile, names_what_is_no_spectrum) {
+TEST(SpectrumFile, NamesWhatIsNoSpectrum) {
   EXPECT_EQ(error_of(""), "paint.txt:1:1: error: the file has no data");
   EXPECT_EQ(error_of("\n# nothing\n"), "paint.txt:3:1: error: the file has no data");
   EXPECT_EQ(error_of("\n  hello world\n"),
@@ -64,7 +64,7 @@ TEST(SpectrumFile, names_what_is_no_spectrum) {
       "paint.txt:1:1: error: the first line must be \"from to step\" or \"wavelength value\"");
 }
 
-TEST(SpectrumFile, locates_what_is_wrong_in_a_uniform_file) {
+TEST(SpectrumFile, LocatesWhatIsWrongInAUniformFile) {
   EXPECT_EQ(error_of("400 7oo 100\n0.2"), "paint.txt:1:5: error: \"7oo\" is not a number");
   EXPECT_EQ(error_of("400 700 0\n0.2"), "paint.txt:1:1: error: the step must be above 0 nm, not 0");
   EXPECT_EQ(error_of("700 400 5\n0.2"),
@@ -79,7 +79,7 @@ TEST(SpectrumFile, locates_what_is_wrong_in_a_uniform_file) {
             "paint.txt:6:1: error: \"400 700 100\" asks for 4 values, and here is one more");
 }
 
-TEST(SpectrumFile, locates_what_is_wrong_in_pairs) {
+TEST(SpectrumFile, LocatesWhatIsWrongInPairs) {
   EXPECT_EQ(error_of("400 0.2\n500\n600 0.3"),
             "paint.txt:2:1: error: expected \"wavelength value\" on each line, but there is no "
             "value");
@@ -94,7 +94,7 @@ TEST(SpectrumFile, locates_what_is_wrong_in_pairs) {
   EXPECT_EQ(error_of("400 0.2\n500 0,3\n"), "paint.txt:2:5: error: \"0,3\" is not a number");
 }
 
-TEST(SpectrumFile, takes_finite_numbers_only) {
+TEST(SpectrumFile, TakesFiniteNumbersOnly) {
   for (const std::string word : {"nan", "-inf", "infinity", "1e999", "-1e999"}) {
     EXPECT_EQ(error_of("400 " + word),
               "paint.txt:1:5: error: \"" + word + "\" is not a finite number");
@@ -106,7 +106,7 @@ TEST(SpectrumFile, takes_finite_numbers_only) {
   }
 }
 
-TEST(SpectrumFile, is_bounded) {
+TEST(SpectrumFile, IsBounded) {
   std::string pairs;
   for (int i = 1; i <= 4001; ++i) pairs += std::to_string(i) + " 1\n";
   EXPECT_EQ(error_of(pairs), "no error");
@@ -116,7 +116,7 @@ TEST(SpectrumFile, is_bounded) {
             "paint.txt: error: a spectrum file may have 16777216 bytes, not 16777217");
 }
 
-TEST(SpectrumFile, cites_hostile_words_short_and_printable) {
+TEST(SpectrumFile, CitesHostileWordsShortAndPrintable) {
   EXPECT_EQ(error_of("400 " + std::string(1000, 'x')),
             "paint.txt:1:5: error: \"" + std::string(60, 'x') + "…\" is not a number");
   EXPECT_EQ(error_of("400 \x1B[2J"), "paint.txt:1:5: error: \"?[2J\" is not a number");
@@ -131,7 +131,7 @@ std::string select_error(std::vector<NamedSpectrum> spectra, const std::string& 
   return result ? "no error" : format(result.error());
 }
 
-TEST(SelectEntry, takes_the_only_one_or_the_named_one) {
+TEST(SelectEntry, TakesTheOnlyOneOrTheNamedOne) {
   EXPECT_EQ(select_entry({named("")}, ""), figure_4_4);
   EXPECT_EQ(select_entry({named("TCS01")}, ""), figure_4_4);
   NamedSpectrum other = named("TCS02");
@@ -139,7 +139,7 @@ TEST(SelectEntry, takes_the_only_one_or_the_named_one) {
   EXPECT_EQ(select_entry({named("TCS01"), other}, "TCS02"), other.spectrum);
 }
 
-TEST(SelectEntry, says_what_there_is_instead) {
+TEST(SelectEntry, SaysWhatThereIsInstead) {
   EXPECT_EQ(select_error({named("TCS01"), named("TCS02")}, ""),
             "error: the file has 2 spectra; name one with entry, say \"TCS01\"");
   EXPECT_EQ(select_error({named(""), named("")}, ""),

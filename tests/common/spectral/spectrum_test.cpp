@@ -14,7 +14,7 @@ std::string error_of(std::vector<double> nm, std::vector<double> values) {
   return result ? "no error" : result.error().message;
 }
 
-TEST(Spectrum, must_be_well_formed) {
+TEST(Spectrum, MustBeWellFormed) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(error_of({}, {}), "no wavelengths");
   EXPECT_EQ(error_of({400, 500}, {1}), "2 wavelengths but 1 values");
@@ -26,21 +26,21 @@ TEST(Spectrum, must_be_well_formed) {
   EXPECT_EQ(error_of({400, 500}, {1, -1}), "no error");
 }
 
-TEST(Resample, is_exact_at_the_samples) {
+TEST(Resample, IsExactAtTheSamples) {
   const Resampled result = resample(ramp, ramp.nm, Outside::zero);
   EXPECT_EQ(result.values, ramp.values);
   EXPECT_EQ(result.below, 0U);
   EXPECT_EQ(result.above, 0U);
 }
 
-TEST(Resample, is_a_straight_line_between_them) {
+TEST(Resample, IsAStraightLineBetweenThem) {
   const Resampled result = resample(ramp, {425, 450, 600}, Outside::zero);
   EXPECT_NEAR(result.values[0], 0.15, 1e-15);
   EXPECT_NEAR(result.values[1], 0.2, 1e-15);
   EXPECT_NEAR(result.values[2], 0.5, 1e-15);
 }
 
-TEST(Resample, outside_an_emission_is_dark_and_a_property_keeps_its_end) {
+TEST(Resample, OutsideAnEmissionIsDarkAndAPropertyKeepsItsEnd) {
   const std::vector<double> nm = {398, 399, 400, 700, 701};
   const Resampled light = resample(ramp, nm, Outside::zero);
   EXPECT_EQ(light.values, (std::vector<double>{0, 0, 0.1, 0.7, 0}));
@@ -52,7 +52,7 @@ TEST(Resample, outside_an_emission_is_dark_and_a_property_keeps_its_end) {
   EXPECT_EQ(paint.above, 1U);
 }
 
-TEST(Resample, a_single_sample_is_a_line_or_a_constant) {
+TEST(Resample, ASingleSampleIsALineOrAConstant) {
   const Spectrum single = {.nm = {589}, .values = {2}};
   EXPECT_EQ(resample(single, {588, 589, 590}, Outside::zero).values,
             (std::vector<double>{0, 2, 0}));
@@ -62,15 +62,13 @@ TEST(Resample, a_single_sample_is_a_line_or_a_constant) {
   EXPECT_EQ(held.above, 1U);
 }
 
-TEST(Resample, does_not_overflow_between_huge_values) {
+TEST(Resample, DoesNotOverflowBetweenHugeValues) {
   const double huge = std::numeric_limits<double>::max();
   const Spectrum steep = {.nm = {400, 500}, .values = {-huge, huge}};
   EXPECT_EQ(resample(steep, {450}, Outside::zero).values, std::vector<double>{0});
 }
 
-TEST(Resample, takes_no_positions) {
-  EXPECT_TRUE(resample(ramp, {}, Outside::zero).values.empty());
-}
+TEST(Resample, TakesNoPositions) { EXPECT_TRUE(resample(ramp, {}, Outside::zero).values.empty()); }
 
 }  // namespace
 }  // namespace metamer

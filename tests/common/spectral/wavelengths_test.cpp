@@ -22,7 +22,7 @@ std::string listed_error(std::vector<double> nm) {
   return result ? "no error" : result.error().message;
 }
 
-TEST(Wavelengths, from_400_to_700_by_5_are_61) {
+TEST(Wavelengths, From400To700By5Are61) {
   const auto wavelengths = Wavelengths::uniform(400, 700, 5);
   ASSERT_TRUE(wavelengths);
   ASSERT_EQ(wavelengths->size(), 61U);
@@ -32,7 +32,7 @@ TEST(Wavelengths, from_400_to_700_by_5_are_61) {
   }
 }
 
-TEST(Wavelengths, have_the_cell_widths_of_figure_4_2) {
+TEST(Wavelengths, HaveTheCellWidthsOfFigure42) {
   // Neighbours 10, 30, 60 nm apart: the ends take the whole distance, the inner ones the mean.
   const auto wavelengths = Wavelengths::listed({400, 410, 440, 500});
   ASSERT_TRUE(wavelengths);
@@ -40,13 +40,13 @@ TEST(Wavelengths, have_the_cell_widths_of_figure_4_2) {
   EXPECT_EQ(Wavelengths::listed({400, 410})->widths(), (std::vector<double>{10, 10}));
 }
 
-TEST(Wavelengths, a_single_one_has_the_width_1) {
+TEST(Wavelengths, ASingleOneHasTheWidth1) {
   EXPECT_EQ(Wavelengths::listed({555})->widths(), std::vector<double>{1});
   EXPECT_EQ(Wavelengths::uniform(555, 555, 5)->nm(), std::vector<double>{555});
   EXPECT_EQ(Wavelengths::uniform(555, 555, 5)->widths(), std::vector<double>{1});
 }
 
-TEST(Wavelengths, reach_the_end_in_spite_of_rounding) {
+TEST(Wavelengths, ReachTheEndInSpiteOfRounding) {
   // 0.1 has no exact double: 300/0.1 is a little off 3000.
   const auto wavelengths = Wavelengths::uniform(400, 700, 0.1);
   ASSERT_TRUE(wavelengths);
@@ -58,11 +58,11 @@ TEST(Wavelengths, reach_the_end_in_spite_of_rounding) {
   EXPECT_EQ(Wavelengths::uniform(400, 409.99, 1)->size(), 10U);
 }
 
-TEST(Wavelengths, stop_before_an_end_that_is_no_multiple) {
+TEST(Wavelengths, StopBeforeAnEndThatIsNoMultiple) {
   EXPECT_EQ(Wavelengths::uniform(400, 707, 100)->nm(), (std::vector<double>{400, 500, 600, 700}));
 }
 
-TEST(Wavelengths, are_at_most_4001) {
+TEST(Wavelengths, AreAtMost4001) {
   EXPECT_EQ(Wavelengths::uniform(300, 700, 0.1)->size(), 4001U);
   EXPECT_EQ(uniform_error(300, 700.1, 0.1),
             "at most 4001 wavelengths are possible; 300 to 700.1 by 0.1 are more");
@@ -75,7 +75,7 @@ TEST(Wavelengths, are_at_most_4001) {
   EXPECT_EQ(listed_error(many), "no error");
 }
 
-TEST(Wavelengths, uniform_say_what_is_wrong) {
+TEST(Wavelengths, UniformSayWhatIsWrong) {
   EXPECT_EQ(uniform_error(nan, 700, 5), "wavelengths must be finite numbers, not nan");
   EXPECT_EQ(uniform_error(400, infinity, 5), "wavelengths must be finite numbers, not inf");
   EXPECT_EQ(uniform_error(400, 700, -infinity), "wavelengths must be finite numbers, not -inf");
@@ -87,7 +87,7 @@ TEST(Wavelengths, uniform_say_what_is_wrong) {
       << "a step that a double can't add";
 }
 
-TEST(Wavelengths, listed_name_the_offending_pair) {
+TEST(Wavelengths, ListedNameTheOffendingPair) {
   EXPECT_EQ(listed_error({}), "no wavelengths");
   EXPECT_EQ(listed_error({400, 460, 450}), "wavelengths must rise: 450 follows 460");
   EXPECT_EQ(listed_error({400, 450, 450}), "wavelength 450 is repeated");

@@ -177,7 +177,7 @@ TEST(MethodExtremes, ASpikeBetweenTwoPositionsIsSaidToBeMissed) {
 TEST(MethodExtremes, AReflectanceBetweenTwoPositionsIsSaidToBeMissed) {
   const RenderScene scene = compile_text(scene_of(
       light("standard: 'E'"),
-      "diffuse { samples { wavelength: [400, 541, 542.5, 544, 700] value: [0, 0, 1, 0, 0] } }"));
+      "diffuse { samples { wavelength: [400, 541, 542, 543, 700] value: [0, 0, 1, 0, 0] } }"));
   v1::Method by_5_nm, by_1_nm;
   *by_5_nm.mutable_point() = [] {
     v1::Point point;
