@@ -15,6 +15,9 @@ void stay_in_this_thread();
 /// "png" or "exr" by the extension, in any case; empty for another.
 std::string format_of(const std::filesystem::path& file);
 
+/// Rows that are converted at a time, so that no second picture is held.
+inline constexpr int rows_at_a_time = 64;
+
 /// `message` about a whole file.
 tl::unexpected<Problem> file_problem(const std::filesystem::path& file, std::string message);
 

@@ -17,8 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = SpectralChannel::Kind;
 
-constexpr int rows_at_a_time = 64;  ///< So that no second picture is held.
-
 /// R, G, B and then the wavelengths. Error: two wavelengths have one name.
 Result<std::vector<std::string>> channel_names(const SpectralImage& image) {
   std::vector<std::string> names = {"R", "G", "B"};
@@ -32,8 +30,8 @@ Result<std::vector<std::string>> channel_names(const SpectralImage& image) {
   return names;
 }
 
-OIIO::ImageSpec make_spec(const SpectralImage& image, std::vector<std::string> names,
-                          const std::map<std::string, std::string>& metadata) {
+OIIO::ImageSpec make_spectral_spec(const SpectralImage& image, std::vector<std::string> names,
+                                   const std::map<std::string, std::string>& metadata) {
   OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(names.size()),
                        OIIO::TypeDesc::FLOAT);
   spec.channelnames = std::move(names);
@@ -73,8 +71,8 @@ Result<std::vector<unsigned char>> encode(const SpectralImage& image, const Imag
   OIIO::Filesystem::IOProxy* proxy = &memory;
   spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
   bool good = output->open("memory.exr", spec);
-  for (int y = 0; good && y < image.height; y += rows_at_a_time) {
-    const int end = std::min(image.height, y + rows_at_a_time);
+  for (int y = 0; good && y < image.height; y += oiio::rows_at_a_time) {
+    const int end = std::min(image.height, y + oiio::rows_at_a_time);
     const std::vector<float> rows = interleaved(image, preview, y, end);
     good = output->write_scanlines(y, end, 0, OIIO::TypeDesc::FLOAT, rows.data());
   }
@@ -149,7 +147,7 @@ Result<void> write_spectral_exr(const SpectralImage& image, const Image& preview
   const auto done =
       channel_names(image)
           .and_then([&](std::vector<std::string> names) {
-            return encode(image, preview, make_spec(image, std::move(names), metadata));
+            return encode(image, preview, make_spectral_spec(image, std::move(names), metadata));
           })
           .and_then([&](const std::vector<unsigned char>& bytes) {
             return write_whole_file(file, bytes);

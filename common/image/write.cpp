@@ -15,8 +15,6 @@ namespace {
 
 using Bytes = std::vector<unsigned char>;
 
-/// Rows that are converted at a time, so that no second image is held.
-constexpr int rows_at_a_time = 64;
 /// f32 rounds a white that should be exactly 1 by less than this.
 constexpr float rounding = 1e-6F;
 
@@ -98,8 +96,8 @@ Result<Bytes> encode_file(const Image& image, const std::string& format, bool xy
   // Convert and encode a few rows at a time.
   const Matrix3 matrix = multiply(developing.space.from_xyz, developing.adaptation);
   const Transfer transfer = developing.linear ? Transfer{} : developing.space.transfer;
-  for (int y = 0; good && y < image.height; y += rows_at_a_time) {
-    const int end = std::min(image.height, y + rows_at_a_time);
+  for (int y = 0; good && y < image.height; y += oiio::rows_at_a_time) {
+    const int end = std::min(image.height, y + oiio::rows_at_a_time);
     if (xyz) {
       good = output->write_scanlines(y, end, 0, OIIO::TypeDesc::FLOAT, image.at(0, y));
       continue;

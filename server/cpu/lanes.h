@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -20,6 +21,10 @@ struct Vec8 {
 inline Float8 broadcast(float value) { return Float8{} + value; }
 inline Vec8 broadcast(const std::array<float, 3>& v) {
   return {broadcast(v[0]), broadcast(v[1]), broadcast(v[2])};
+}
+inline Vec8 broadcast(const Eigen::Vector3d& v) {
+  return {broadcast(static_cast<float>(v.x())), broadcast(static_cast<float>(v.y())),
+          broadcast(static_cast<float>(v.z()))};
 }
 
 inline Vec8 operator+(const Vec8& a, const Vec8& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }

@@ -2,9 +2,9 @@
 
 #include <limits>
 
+#include "common/scene/fresnel_table.h"
 #include "server/cpu/ticks.h"
 #include "server/cpu/triangle_places.h"
-#include "common/scene/fresnel_table.h"
 
 namespace metamer::cpu {
 namespace {
@@ -12,12 +12,6 @@ namespace {
 /// Shadow rays end a little before the light, so that a surface in which it lies does not hide it.
 constexpr float short_of_light = 0.9999f;
 constexpr float largest = std::numeric_limits<float>::max();
-
-Vec8 broadcast(const Eigen::Vector3d& v) {
-  return {metamer::broadcast(static_cast<float>(v.x())),
-          metamer::broadcast(static_cast<float>(v.y())),
-          metamer::broadcast(static_cast<float>(v.z()))};
-}
 
 /// The same lane of all eight.
 Vec8 broadcast_lane(const Vec8& v, int lane) {

@@ -15,12 +15,6 @@ std::pair<std::uint32_t, std::uint32_t> block_size(unsigned spp) {
   return {1, 1};
 }
 
-Vec8 broadcast(const Eigen::Vector3d& v) {
-  return {metamer::broadcast(static_cast<float>(v.x())),
-          metamer::broadcast(static_cast<float>(v.y())),
-          metamer::broadcast(static_cast<float>(v.z()))};
-}
-
 }  // namespace
 
 Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const v1::Plan& plan)

@@ -6,8 +6,6 @@
 namespace metamer {
 namespace {
 
-constexpr std::size_t pad = 16;
-
 /// Loops over `n` bands, n a multiple of 16, of rows that do not overlap.
 using Row = float* __restrict;
 using ConstRow = const float* __restrict;
@@ -35,10 +33,10 @@ void add_mirrored(std::size_t n, Row carrier, ConstRow incoming, ConstRow first,
 /// A dot product in 16 partial sums: vectorised whatever the compiler may assume of addition, and
 /// more exact than one running sum.
 float dot(std::size_t n, ConstRow a, ConstRow b) {
-  float sums[pad] = {};
-  for (std::size_t i = 0; i < n; i += pad)
-    for (std::size_t j = 0; j < pad; ++j) sums[j] += a[i + j] * b[i + j];
-  for (std::size_t width = pad / 2; width > 0; width /= 2)
+  float sums[band_pad] = {};
+  for (std::size_t i = 0; i < n; i += band_pad)
+    for (std::size_t j = 0; j < band_pad; ++j) sums[j] += a[i + j] * b[i + j];
+  for (std::size_t width = band_pad / 2; width > 0; width /= 2)
     for (std::size_t j = 0; j < width; ++j) sums[j] += sums[j + width];
   return sums[0];
 }
@@ -46,7 +44,7 @@ float dot(std::size_t n, ConstRow a, ConstRow b) {
 }  // namespace
 
 BandTable::BandTable(std::size_t rows, std::size_t bands)
-    : stride_((bands + pad - 1) / pad * pad),
+    : stride_((bands + band_pad - 1) / band_pad * band_pad),
       values_(new (std::align_val_t{64}) float[std::max<std::size_t>(rows, 1) * stride_]()) {}
 
 void BandTable::set(std::size_t index, const std::vector<double>& values) {

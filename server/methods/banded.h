@@ -7,6 +7,9 @@
 
 namespace metamer {
 
+/// Rows are padded to a multiple of it, so that loops over them are whole vectors.
+inline constexpr std::size_t band_pad = 16;
+
 /// A table of rows of f32, each row padded with zeros to a multiple of 16 and aligned to 64 bytes,
 /// so that loops over a row are whole vectors.
 class BandTable {

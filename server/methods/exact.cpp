@@ -14,15 +14,13 @@ constexpr std::size_t max_products = 1 << 13, max_signatures = 1 << 19;
 /// Light over several mirrors with Fresnel terms is a sum of 2 ^ mirrors products, up to here.
 constexpr std::size_t max_terms = 16;
 
-constexpr std::size_t pad = 16;
-
 /// Σ a b c in 16 partial sums.
 float integrate(std::size_t n, const float* __restrict a, const float* __restrict b,
                 const float* __restrict c) {
-  float sums[pad] = {};
-  for (std::size_t i = 0; i < n; i += pad)
-    for (std::size_t j = 0; j < pad; ++j) sums[j] += a[i + j] * b[i + j] * c[i + j];
-  for (std::size_t width = pad / 2; width > 0; width /= 2)
+  float sums[band_pad] = {};
+  for (std::size_t i = 0; i < n; i += band_pad)
+    for (std::size_t j = 0; j < band_pad; ++j) sums[j] += a[i + j] * b[i + j] * c[i + j];
+  for (std::size_t width = band_pad / 2; width > 0; width /= 2)
     for (std::size_t j = 0; j < width; ++j) sums[j] += sums[j + width];
   return sums[0];
 }

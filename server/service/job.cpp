@@ -136,6 +136,13 @@ bool Job::fail(v1::Failed failed) {
   return true;
 }
 
+bool Job::fail(v1::Failed::Kind kind, std::string reason) {
+  v1::Failed failed;
+  failed.set_kind(kind);
+  failed.set_reason(std::move(reason));
+  return fail(std::move(failed));
+}
+
 bool Job::cancel() {
   if (!take(Step::cancel)) return false;
   log_.drop_pictures();

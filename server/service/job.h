@@ -57,6 +57,7 @@ class Job {
   /// is filled in here.
   bool finish(v1::JobDone done);
   bool fail(v1::Failed failed);
+  bool fail(v1::Failed::Kind kind, std::string reason);
   /// Drops what was rendered.
   bool cancel();
 
