@@ -22,7 +22,7 @@ inline Float8 broadcast(float value) { return Float8{} + value; }
 inline Vec8 broadcast(const std::array<float, 3>& v) {
   return {broadcast(v[0]), broadcast(v[1]), broadcast(v[2])};
 }
-inline Vec8 broadcast(const Eigen::Vector3d& v) {
+inline Vec8 to_lanes(const Eigen::Vector3d& v) {
   return {broadcast(static_cast<float>(v.x())), broadcast(static_cast<float>(v.y())),
           broadcast(static_cast<float>(v.z()))};
 }

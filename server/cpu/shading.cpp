@@ -45,7 +45,7 @@ void scale(models::Lobes<Float8>& lobes, Float8 factor) {
 Shading::Shading(const RenderScene& scene, const EmbreeScene& geometry)
     : scene_(scene), geometry_(geometry) {
   for (const RenderLight& light : scene.lights)
-    lights_.push_back({light.directional, broadcast(light.place),
+    lights_.push_back({light.directional, to_lanes(light.place),
                        static_cast<float>(light.reference_distance * light.reference_distance),
                        metamer::broadcast(static_cast<float>(light.solid_angle))});
   for (const RenderMaterial& material : scene.materials) {

@@ -31,10 +31,10 @@ Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const v1::
   // Scale the camera's axes to pixels; pixels are square.
   const RenderCamera& camera = scene.camera;
   const double pixel = 2 * camera.tan_half_fov / plan.height();
-  eye_ = broadcast(camera.eye);
-  across_ = broadcast(Eigen::Vector3d(camera.right * pixel));
-  down_ = broadcast(Eigen::Vector3d(-camera.up * pixel));
-  corner_ = broadcast(Eigen::Vector3d(camera.forward - camera.right * (pixel * plan.width() / 2) +
+  eye_ = to_lanes(camera.eye);
+  across_ = to_lanes(Eigen::Vector3d(camera.right * pixel));
+  down_ = to_lanes(Eigen::Vector3d(-camera.up * pixel));
+  corner_ = to_lanes(Eigen::Vector3d(camera.forward - camera.right * (pixel * plan.width() / 2) +
                                       camera.up * (pixel * plan.height() / 2)));
 }
 
