@@ -1,9 +1,10 @@
+#include <ClpSimplex.hpp>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
-#include "common/color/linear_programme.h"
 #include "common/color/metamerism.h"
 
 namespace metamer {
@@ -12,6 +13,7 @@ namespace {
 constexpr Eigen::Index cosines = 11;
 constexpr double least_difference = 1e-3;
 constexpr int most_steps = 20;
+constexpr int most_exchanges = 10'000;
 
 using Rows = Eigen::Matrix<double, 3, Eigen::Dynamic>;
 
@@ -40,6 +42,44 @@ Eigen::MatrixXd blacks(const Rows& lit, const std::vector<double>& nm) {
   return smooth * svd.matrixV().rightCols(cosines - svd.rank());
 }
 
+/// All that may be added to an original: sums of blacks that leave it in 0..1. COIN-OR Clp finds
+/// its vertices, and starts each time from the last one. One thread at a time.
+class Polytope {
+ public:
+  Polytope(const Eigen::MatrixXd& black, const Eigen::VectorXd& original) : black_(black) {
+    const auto rows = static_cast<int>(black.rows()), columns = static_cast<int>(black.cols());
+    std::vector<CoinBigIndex> starts;
+    std::vector<int> indices;
+    for (int j = 0; j <= columns; ++j) starts.push_back(j * rows);
+    for (int j = 0; j < columns; ++j)
+      for (int i = 0; i < rows; ++i) indices.push_back(i);
+    const std::vector<double> any(static_cast<std::size_t>(columns), -COIN_DBL_MAX);
+    const Eigen::VectorXd least = -original, most = 1 - original.array();
+    clp_.setLogLevel(0);
+    // Any sum of blacks keeps X Y Z; what leaves 0..1 is cut off at the end, and may not count. All
+    // numbers are of the order of 1: scaled by Clp, they would hold less closely.
+    clp_.setPrimalTolerance(1e-12);
+    clp_.scaling(0);
+    clp_.setMaximumIterations(most_exchanges);
+    clp_.setOptimizationDirection(-1);
+    clp_.loadProblem(columns, rows, starts.data(), indices.data(), black_.data(), any.data(),
+                     nullptr, nullptr, least.data(), most.data());
+  }
+
+  /// Where goal · (the amount of each black) is largest; nothing where Clp finds no such vertex.
+  std::optional<Eigen::VectorXd> outermost(const Eigen::RowVectorXd& goal) {
+    for (int j = 0; j < goal.size(); ++j) clp_.setObjectiveCoefficient(j, goal[j]);
+    // Where many bounds meet, as at 0 of a black, primal() can go round in circles.
+    clp_.dual();
+    if (!clp_.isProvenOptimal()) return std::nullopt;
+    return black_ * Eigen::Map<const Eigen::VectorXd>(clp_.getColSolution(), black_.cols());
+  }
+
+ private:
+  const Eigen::MatrixXd& black_;
+  ClpSimplex clp_;
+};
+
 /// The original under the other light, and the metamers' way from it.
 struct Target {
   Rows lit;
@@ -67,23 +107,14 @@ Eigen::Vector3d gradient(const Eigen::Vector3d& xyz, const Function& value) {
 /// Vertices of the set of metamers that lie outermost in 26 directions of L*a*b*, then by climbing
 /// from the farthest of them: ΔE00 rises to the next vertex until it does not.
 Eigen::VectorXd farthest(const Target& target, const Eigen::MatrixXd& black) {
-  Eigen::MatrixXd limits(2 * black.rows(), black.cols());
-  limits << black, -black;
-  Eigen::VectorXd bounds(2 * black.rows());
-  bounds << 1 - target.original.array(), target.original;
-  const auto outermost = [&](const Eigen::Vector3d& direction) -> Eigen::VectorXd {
-    const auto found =
-        maximise((direction.transpose() * target.lit * black).transpose(), limits, bounds);
-    if (!found) return Eigen::VectorXd::Zero(black.rows());
-    return black * *found;
-  };
-
+  Polytope metamers(black, target.original);
   Eigen::VectorXd best = Eigen::VectorXd::Zero(black.rows());
   double difference = 0;
-  const auto consider = [&](const Eigen::VectorXd& added) {
-    const double other = target.difference(target.seen(added));
+  const auto consider = [&](const Eigen::Vector3d& direction) {
+    const auto added = metamers.outermost(direction.transpose() * target.lit * black);
+    const double other = added ? target.difference(target.seen(*added)) : 0;
     if (!(other > difference)) return false;
-    best = added;
+    best = *added;
     difference = other;
     return true;
   };
@@ -91,15 +122,15 @@ Eigen::VectorXd farthest(const Target& target, const Eigen::MatrixXd& black) {
   for (int i = 0; i < 27; ++i) {
     const Eigen::Vector3d way(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
     if (way.isZero()) continue;
-    consider(outermost(gradient(start, [&](const Eigen::Vector3d& xyz) {
+    consider(gradient(start, [&](const Eigen::Vector3d& xyz) {
       const Lab lab = to_lab(to_array(xyz), target.white);
       return way.dot(Eigen::Vector3d(lab.l, lab.a, lab.b));
-    })));
+    }));
   }
   for (int step = 0; step < most_steps; ++step) {
     const Eigen::Vector3d uphill = gradient(
         target.seen(best), [&](const Eigen::Vector3d& xyz) { return target.difference(xyz); });
-    if (!consider(outermost(uphill))) break;
+    if (!consider(uphill)) break;
   }
   return best;
 }
@@ -137,7 +168,7 @@ Result<Metamer> make_metamer(const Spectrum& original, const Spectrum& under,
                  .de00 = target.difference(there * found)};
   if (!(result.de00 >= least_difference))
     return problem("no smooth reflectance in 0..1 matches it there and differs from it elsewhere");
-  // The programme keeps its limits to rounding, about 1e-13: that is cut off.
+  // Clp keeps to 0..1 within 1e-12: the rest is cut off.
   for (const double value : found) result.reflectance.values.push_back(std::clamp(value, 0.0, 1.0));
   return result;
 }
