@@ -33,8 +33,8 @@ void print_predictions(const v1::Plan& plan, Report& report) {
   if (plan.prediction().empty()) return;
   report.line("");
   report.line(
-      print("Predicted from %u of %llu pixels; ΔE00 against the 1 nm reference, white is the "
-            "dominant light's:",
+      print("Predicted from %u of %llu pixels; ΔE00 against the 1 nm reference; white is what "
+            "faces the dominant light:",
             plan.prediction(0).error().pixels(),
             static_cast<unsigned long long>(plan.width()) * plan.height()));
   report.line(
@@ -48,7 +48,10 @@ void print_predictions(const v1::Plan& plan, Report& report) {
                       rgb > 0 ? seconds(one) / rgb : 0.0, error.mean(), error.percentile_95(),
                       error.maximum(), one.bound()));
   }
-  report.line("\"any color\": the largest of any light on any surface, in the picture or not.");
+  report.line(
+      "\"any color\": the largest of one light on one surface that faces it, in the picture or "
+      "not; "
+      "*: the scene's own method.");
 }
 
 boost::asio::awaitable<ExitCode> explain_on(Session& session, const SceneInput& scene,

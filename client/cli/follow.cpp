@@ -34,6 +34,11 @@ Answer<void> take_tile(const v1::Tile& tile, Followed& followed) {
                          "the server sent a tile before its plan");
   if (Answer<void> added = followed.film->add(tile); !added) return added;
   if (!followed.factors) return {};
+  if (tile.factors().empty()) {
+    followed.factors.reset();
+    followed.factors_lost = true;
+    return {};
+  }
   if (Result<void> added = followed.factors->add(tile); !added)
     return session_error(SessionError::Kind::disconnected,
                          "the server's factors: " + added.error().message);
@@ -96,7 +101,8 @@ ExitCode conclude_promise(const Followed& followed, Report& report) {
       error.pixels(), error.mean(), error.percentile_95(), error.maximum());
   std::string said = text;
   if (goal.has_deadline())
-    std::snprintf(text, sizeof text, "; %.3g s were asked for", goal.deadline());
+    std::snprintf(text, sizeof text, "; it took %.3g s, and %.3g s were asked for",
+                  finished.timing().total(), goal.deadline());
   else
     std::snprintf(text, sizeof text, "; at most %.3g was asked for", goal.tolerance());
   said += text;
@@ -131,6 +137,10 @@ asio::awaitable<Answer<Followed>> follow(Session& session, std::uint64_t job_id,
 
   // A picture with holes is no result.
   const bool finished = followed.last.event_case() == v1::JobEvent::kFinished;
+  if (finished && followed.film && followed.last.finished().timing().rays() == 0 &&
+      followed.film->missing() > 0)
+    co_return session_error(SessionError::Kind::input,
+                            "the job has no picture: it was checked or explained only");
   if (finished && tiles && (!followed.film || !followed.film->complete()))
     co_return session_error(SessionError::Kind::disconnected,
                             "the server finished the job without all of its tiles");

@@ -20,6 +20,7 @@ struct Followed {
   std::optional<v1::Plan> plan;
   std::optional<Film> film;               ///< Where tiles were asked for and planned.
   std::optional<FactorsBuilder> factors;  ///< Where they were asked for and the job keeps them.
+  bool factors_lost = false;              ///< There are more than the server keeps.
 };
 
 /// What of a job is asked for. Progress is shown of tiles, but for those that come quietly.

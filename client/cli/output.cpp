@@ -28,6 +28,7 @@ std::string lower_extension(const std::string& file) {
 /// Why the file can't be written; empty: nothing speaks against it.
 std::string objection(const std::string& file, bool factors) {
   const std::string extension = lower_extension(file);
+  if (factors && extension != ".factors") return "\"" + file + "\" does not end in .factors";
   if (!factors && extension != ".png" && extension != ".exr")
     return "\"" + file + "\" ends neither in .png nor in .exr";
   std::error_code error;
@@ -97,17 +98,23 @@ ExitCode write_output(const OutputOptions& options, Followed& followed, const st
                                               &metadata["metamer:timing"]);
   std::optional<Factors> factors;
   if (followed.factors) factors = followed.factors->finish();
-  if (!factors && wanted(options) == Wanted::tiles_and_factors) {
+  const bool missing = !factors && wanted(options) == Wanted::tiles_and_factors;
+  if (missing && !followed.factors_lost) {
     report.error("the job keeps no factors, which " +
                  std::string(options.factors ? "--keep-factors" : "--exr spectral") +
                  " needs: submit it with --keep-factors");
     return ExitCode::bad_input;
   }
+  if (missing)
+    report.error(
+        "the picture has more factors than are kept (mirrors that face each other make many): "
+        "lower --depth or --tile-size");
   const ExitCode code =
       write_pictures(options,
                      {followed.film->image(), *followed.plan, factors ? &*factors : nullptr,
                       factors ? &factors->scene : nullptr, std::move(metadata)},
                      report);
+  if (missing) return ExitCode::other;
   if (!options.factors || code != ExitCode::done) return code;
   return write_kept_factors(options, *factors, report);
 }

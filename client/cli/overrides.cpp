@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <set>
 #include <string_view>
 
 #include "client/cli/development.h"
@@ -102,10 +103,17 @@ Result<void> apply_method(const Overrides& overrides, v1::Settings& settings,
   return {};
 }
 
-/// "2s" or "2".
+/// "2s", "2", "500ms" or "1min".
 std::optional<double> parse_seconds(std::string_view text) {
-  if (!text.empty() && text.back() == 's') text.remove_suffix(1);
-  return parse_number<double>(text);
+  double unit = 1;
+  for (const auto& [word, seconds] : {std::pair{"ms", 1e-3}, {"min", 60.0}, {"s", 1.0}}) {
+    if (!text.ends_with(word)) continue;
+    text.remove_suffix(std::string_view(word).size());
+    unit = seconds;
+    break;
+  }
+  const auto number = parse_number<double>(text);
+  return number ? std::optional(unit * *number) : std::nullopt;
 }
 
 /// A goal asks for the method `auto` by itself.
@@ -246,8 +254,13 @@ Result<std::vector<Replaced>> apply(const Overrides& overrides, v1::Scene& scene
   if (result && overrides.observer) result = apply_observer(*overrides.observer, settings);
   if (result && overrides.shading) result = apply_shading(*overrides.shading, settings, replaced);
   if (result) result = apply_development(overrides.development, settings, replaced);
-  for (const std::string& light : overrides.lights)
+  std::set<std::string> named;
+  for (const std::string& light : overrides.lights) {
+    const std::string name = light.substr(0, light.rfind('='));
+    if (result && !named.insert(name).second)
+      result = problem("--light: " + quoted(name) + " is named twice");
     if (result) result = apply_light(light, scene, replaced);
+  }
   if (!result) return tl::unexpected<Problem>(std::move(result.error()));
 
   apply_numbers(overrides, settings, replaced);

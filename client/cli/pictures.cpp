@@ -3,6 +3,7 @@
 #include <google/protobuf/text_format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "client/cli/development.h"
 #include "client/cli/spectra_input.h"
@@ -55,6 +56,23 @@ Result<void> write_spectra_of(const Pictures& pictures, const Wavelengths& wavel
                             pictures.xyz, file, metadata);
 }
 
+/// Says what a spectral file does not have in common with the others.
+void note_spectra(const std::string& file, const Pictures& pictures, const Wavelengths& wavelengths,
+                  Report& report) {
+  const auto note = [&](std::string message) {
+    report.note({.field = {}, .file = file, .message = std::move(message)});
+  };
+  if (!pictures.plan.method().has_exact())
+    note("its spectra are those of the exact method, whatever the other files are rendered by");
+  constexpr double unnoticed = 0.02;
+  for (const v1::SceneFactors::Light& light : pictures.scene->light()) {
+    const double share = seen_share(light, to_observer(pictures.plan.observer()), wavelengths);
+    if (std::abs(share - 1) > unnoticed)
+      note("its wavelengths see " + number_text(std::round(share * 1000) / 10) +
+           " % of the luminance of light " + quoted(light.name()));
+  }
+}
+
 }  // namespace
 
 Result<ExrContent> exr_content(const OutputOptions& options) {
@@ -87,6 +105,7 @@ ExitCode write_pictures(const OutputOptions& options, const Pictures& pictures, 
   ExitCode code = ExitCode::done;
   for (const std::string& file : options.files) {
     const bool png = is_png(file);
+    if (!png && exr.spectral && !pictures.factors) continue;  // why, was said
     Result<GamutReport> gamut;
     if (!png && exr.spectral)
       gamut = write_spectra_of(pictures, *exr.spectral, file, metadata).map([] {
@@ -99,6 +118,7 @@ ExitCode write_pictures(const OutputOptions& options, const Pictures& pictures, 
       code = ExitCode::other;
       continue;
     }
+    if (!png && exr.spectral) note_spectra(file, pictures, *exr.spectral, report);
     if (png) note_gamut(file, planned->developing.space.name, *gamut, report);
     report.document()["files"].push_back(file);
     report.line(file);

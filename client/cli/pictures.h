@@ -17,7 +17,8 @@ namespace metamer::cli {
 struct Pictures {
   const Image& xyz;
   const v1::Plan& plan;                         ///< Its observer, development and source white.
-  const Factors* factors;                       ///< For spectra; null where they are not at hand.
+  const Factors* factors;                       ///< For spectra; null where they are not at hand:
+                                                ///< no spectral file is written then.
   const v1::SceneFactors* scene;                ///< The spectra that the factors are multiplied by.
   std::map<std::string, std::string> metadata;  ///< Beside version and plan.
 };

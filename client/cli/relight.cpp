@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
+#include <map>
+#include <set>
 
 #include "client/cli/commands.h"
 #include "client/cli/development.h"
@@ -26,37 +27,6 @@ void set(const Spectrum& spectrum, v1::SampledSpectrum& to) {
   to.mutable_values()->Assign(spectrum.values.begin(), spectrum.values.end());
 }
 
-struct Swap {
-  std::string name, spectrum;
-  std::optional<std::string> entry;  ///< Of a file with several spectra.
-};
-
-/// NAME=SPECTRUM or NAME=FILE#ENTRY; the first "=" separates, as a file's name may have one.
-std::optional<Swap> parse_swap(const std::string& option, const std::string& text, Report& report) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
-    report.error(option + ": \"" + text +
-                 "\" is not NAME=SPECTRUM, such as ceiling=F11 or door=paints.sp#red");
-    return std::nullopt;
-  }
-  Swap swap{text.substr(0, equals), text.substr(equals + 1), {}};
-  std::error_code error;
-  const std::size_t hash = swap.spectrum.rfind('#');
-  if (hash != std::string::npos && !std::filesystem::exists(swap.spectrum, error)) {
-    swap.entry = swap.spectrum.substr(hash + 1);
-    swap.spectrum.resize(hash);
-  }
-  return swap;
-}
-
-std::optional<Spectrum> load(const Swap& swap, const char* kind, Report& report) {
-  SpectraOptions options;
-  options.kind = kind;
-  options.entry = swap.entry;
-  const auto loaded = load_one(options, swap.spectrum, report);
-  return loaded ? std::optional(loaded->spectrum) : std::nullopt;
-}
-
 template <class List>
 std::vector<std::string> names_of(const List& list) {
   std::vector<std::string> names;
@@ -64,69 +34,134 @@ std::vector<std::string> names_of(const List& list) {
   return names;
 }
 
-bool swap_light(const std::string& text, v1::SceneFactors& scene, Report& report) {
-  const auto swap = parse_swap("--light", text, report);
+/// NAME=SPECTRUM, of a name that is known; names may have "=" in them, and so may files.
+struct Swap {
+  std::string name, spectrum;
+};
+
+std::optional<Swap> parse_swap(const std::string& option, const std::string& what,
+                               const std::string& text, const std::vector<std::string>& names,
+                               std::set<std::string>& named, Report& report) {
+  std::optional<Swap> swap;
+  for (const std::string& name : names)
+    if (text.rfind(name + "=", 0) == 0 && (!swap || name.size() > swap->name.size()))
+      swap = {name, text.substr(name.size() + 1)};
+  const std::string first = text.substr(0, text.find('='));
+  if (first.size() == text.size() || first.empty() || (swap && swap->spectrum.empty())) {
+    report.error(option + ": " + metamer::quoted(text) +
+                 " is not NAME=SPECTRUM, such as ceiling=F11 or door=paints.sp#red");
+    return std::nullopt;
+  }
+  if (!swap) {
+    report.error(option + ": no " + what + " named " + metamer::quoted(first) +
+                 did_you_mean(first, names));
+    return std::nullopt;
+  }
+  if (named.insert(swap->name).second) return swap;
+  report.error(option + ": " + metamer::quoted(swap->name) + " is named twice");
+  return std::nullopt;
+}
+
+std::optional<LoadedSpectrum> load(const std::string& spectrum, const char* kind, Report& report) {
+  SpectraOptions options;
+  options.kind = kind;
+  return load_one(options, spectrum, report);
+}
+
+bool swap_light(const std::string& text, std::set<std::string>& named, v1::SceneFactors& scene,
+                Report& report) {
+  std::vector<std::string> names = names_of(scene.light());
+  names.emplace_back("*");
+  const auto swap = parse_swap("--light", "light", text, names, named, report);
   if (!swap) return false;
-  const auto power = load(*swap, "emission", report);
+  if (cie::test_color(swap->spectrum) != nullptr) {
+    report.error("--light: " + metamer::quoted(swap->spectrum) + " is a reflectance, no light");
+    return false;
+  }
+  const auto power = load(swap->spectrum, "emission", report);
   if (!power) return false;
-  if (*std::min_element(power->values.begin(), power->values.end()) < 0) {
-    report.error("--light: \"" + swap->spectrum + "\": a light has no power below 0");
+  if (*std::min_element(power->spectrum.values.begin(), power->spectrum.values.end()) < 0) {
+    report.error("--light: " + metamer::quoted(swap->spectrum) + ": a light has no power below 0");
     return false;
   }
-  bool found = false;
-  for (auto& light : *scene.mutable_light()) {
-    if (swap->name != "*" && swap->name != light.name()) continue;
-    set(*power, *light.mutable_power());
-    found = true;
-  }
-  if (!found)
-    report.error("--light: no light named \"" + swap->name + "\"" +
-                 did_you_mean(swap->name, names_of(scene.light())));
-  return found;
-}
-
-/// What of a material NAME or NAME.specular means; null where there is none.
-v1::SampledSpectrum* find_property(const std::string& name, v1::SceneFactors& scene) {
-  for (auto& material : *scene.mutable_material()) {
-    if (name == material.name() || name == material.name() + ".diffuse")
-      return material.mutable_diffuse();
-    if (name == material.name() + ".specular") return material.mutable_specular();
-  }
-  return nullptr;
-}
-
-bool swap_material(const std::string& text, v1::SceneFactors& scene, Report& report) {
-  const auto swap = parse_swap("--material", text, report);
-  if (!swap) return false;
-  v1::SampledSpectrum* property = find_property(swap->name, scene);
-  if (!property) {
-    report.error("--material: no material named \"" + swap->name + "\"" +
-                 did_you_mean(swap->name, names_of(scene.material())));
-    return false;
-  }
-  const auto reflectance = load(*swap, "reflectance", report);
-  if (!reflectance) return false;
-  const auto [least, most] =
-      std::minmax_element(reflectance->values.begin(), reflectance->values.end());
-  if (*least < 0 || *most > 1) {
-    const auto at =
-        static_cast<std::size_t>((*least < 0 ? least : most) - reflectance->values.begin());
-    char number[64];
-    std::snprintf(number, sizeof number, "%g at %g nm", reflectance->values[at],
-                  reflectance->nm[at]);
-    report.error("--material: \"" + swap->spectrum + "\": a reflectance lies in 0..1 (it is " +
-                 number + ")");
-    return false;
-  }
-  set(*reflectance, *property);
+  for (auto& light : *scene.mutable_light())
+    if (swap->name == "*" || swap->name == light.name())
+      set(power->spectrum, *light.mutable_power());
   return true;
 }
 
-bool swap_all(const RelightOptions& options, v1::SceneFactors& scene, Report& report) {
+/// A material's property by NAME, NAME.diffuse or NAME.specular.
+struct Property {
+  int material;
+  v1::FactorTerm term;
+};
+
+std::map<std::string, Property> properties_of(const v1::SceneFactors& scene) {
+  std::map<std::string, Property> properties;
+  for (int i = 0; i < scene.material_size(); ++i) {
+    const std::string& name = scene.material(i).name();
+    properties[name + ".specular"] = {i, v1::FACTOR_SPECULAR};
+    properties[name + ".diffuse"] = {i, v1::FACTOR_DIFFUSE};
+  }
+  for (int i = 0; i < scene.material_size(); ++i)
+    properties[scene.material(i).name()] = {i, v1::FACTOR_DIFFUSE};
+  return properties;
+}
+
+/// Whether any pixel shows a property.
+bool is_shown(const Property& property, const v1::TileFactors& tables) {
+  const auto material = static_cast<std::uint32_t>(property.material);
+  for (int i = 0; i < tables.signature_term_size(); ++i)
+    if (tables.signature_material(i) == material && tables.signature_term(i) == property.term)
+      return true;
+  for (int i = 0; i < tables.product_term_size(); ++i)
+    if (tables.product_material(i) == material && tables.product_term(i) == property.term)
+      return true;
+  return false;
+}
+
+/// Where a reflectance leaves 0..1; empty: nowhere.
+std::string range_fault(const Spectrum& reflectance) {
+  for (std::size_t i = 0; i < reflectance.nm.size(); ++i)
+    if (!(reflectance.values[i] >= 0 && reflectance.values[i] <= 1))
+      return "a reflectance lies in 0..1 (it is " + number_text(reflectance.values[i]) + " at " +
+             number_text(reflectance.nm[i]) + " nm)";
+  return {};
+}
+
+bool swap_material(const std::string& text, std::set<std::string>& named, const Factors& factors,
+                   v1::SceneFactors& scene, Report& report) {
+  const auto properties = properties_of(scene);
+  std::vector<std::string> names;
+  for (const auto& [name, property] : properties) names.push_back(name);
+  const auto swap = parse_swap("--material", "material", text, names, named, report);
+  if (!swap) return false;
+  const auto reflectance = load(swap->spectrum, "reflectance", report);
+  if (!reflectance) return false;
+  if (const std::string fault = range_fault(reflectance->spectrum); !fault.empty()) {
+    report.error("--material: " + metamer::quoted(swap->spectrum) + ": " + fault);
+    return false;
+  }
+  const Property property = properties.at(swap->name);
+  auto& material = *scene.mutable_material(property.material);
+  set(reflectance->spectrum, property.term == v1::FACTOR_DIFFUSE ? *material.mutable_diffuse()
+                                                                 : *material.mutable_specular());
+  if (!is_shown(property, factors.tables))
+    report.note({.field = {},
+                 .file = {},
+                 .message = "--material " + metamer::quoted(swap->name) +
+                            " has no effect: no pixel shows it"});
+  return true;
+}
+
+bool swap_all(const RelightOptions& options, const Factors& factors, v1::SceneFactors& scene,
+              Report& report) {
   bool good = true;
-  for (const std::string& text : options.lights) good = swap_light(text, scene, report) && good;
+  std::set<std::string> lights, materials;
+  for (const std::string& text : options.lights)
+    good = swap_light(text, lights, scene, report) && good;
   for (const std::string& text : options.materials)
-    good = swap_material(text, scene, report) && good;
+    good = swap_material(text, materials, factors, scene, report) && good;
   return good;
 }
 
@@ -163,7 +198,8 @@ ExitCode relight_file(const RelightOptions& options, Report& report) {
   Result<Factors> factors = read_factors(options.file);
   if (!factors) return report.problem(factors.error(), {}), ExitCode::bad_input;
   v1::SceneFactors scene = factors->scene;
-  if (!swap_all(options, scene, report) || !make_plan(options, scene, factors->plan, report))
+  if (!swap_all(options, *factors, scene, report) ||
+      !make_plan(options, scene, factors->plan, report))
     return ExitCode::bad_input;
 
   const auto read = Clock::now();

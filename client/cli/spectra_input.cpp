@@ -22,7 +22,7 @@ bool looks_like_reflectance(const Spectrum& spectrum) {
 tl::unexpected<Problem> no_such(const std::string& word) {
   std::vector<std::string> known = cie::illuminant_names();
   known.insert(known.end(), cie::test_color_names().begin(), cie::test_color_names().end());
-  return problem("there is no file, CIE illuminant or test colour " + quoted(word) +
+  return problem("there is no file, CIE illuminant or test colour " + metamer::quoted(word) +
                  did_you_mean(word, known));
 }
 
@@ -62,11 +62,32 @@ Result<std::vector<LoadedSpectrum>> find(const std::string& word, std::string& s
                                       .spectrum = light != nullptr ? *light : *paint}};
 }
 
-std::optional<std::vector<LoadedSpectrum>> load(const std::string& word, Report& report) {
+/// A word, and the entry that it asks for: FILE#ENTRY, where there is no file of the whole name.
+std::pair<std::string, std::optional<std::string>> split_entry(const std::string& word) {
+  std::error_code error;
+  const std::size_t hash = word.rfind('#');
+  if (hash == std::string::npos || hash == 0 || fs::exists(word, error)) return {word, {}};
+  return {word.substr(0, hash), word.substr(hash + 1)};
+}
+
+/// All spectra of a word, or the one of that name.
+std::optional<std::vector<LoadedSpectrum>> load(const std::string& word,
+                                                std::optional<std::string> entry, Report& report) {
+  const auto [file, own_entry] = split_entry(word);
+  if (own_entry) entry = own_entry;
   std::string source;
-  Result<std::vector<LoadedSpectrum>> found = find(word, source);
-  if (found) return std::move(*found);
-  report.problem(found.error(), source);
+  Result<std::vector<LoadedSpectrum>> found = find(file, source);
+  if (!found) {
+    report.problem(found.error(), source);
+    return std::nullopt;
+  }
+  if (!entry) return std::move(*found);
+  std::vector<std::string> names;
+  for (const LoadedSpectrum& one : *found) names.push_back(one.name);
+  std::erase_if(*found, [&](const LoadedSpectrum& one) { return one.name != *entry; });
+  if (!found->empty()) return std::move(*found);
+  report.error(metamer::quoted(file) + " has no spectrum named " + metamer::quoted(*entry) +
+               did_you_mean(*entry, names));
   return std::nullopt;
 }
 
@@ -91,22 +112,18 @@ std::optional<std::vector<LoadedSpectrum>> load_spectra(const SpectraOptions& op
                                                         const std::vector<std::string>& files,
                                                         Report& report) {
   if (options.kind && *options.kind != "emission" && *options.kind != "reflectance") {
-    report.error("--as: " + quoted(*options.kind) + " is neither emission nor reflectance");
+    report.error("--as: " + metamer::quoted(*options.kind) +
+                 " is neither emission nor reflectance");
     return std::nullopt;
   }
   std::vector<LoadedSpectrum> all;
   for (const std::string& file : files) {
-    std::optional<std::vector<LoadedSpectrum>> loaded = load(file, report);
+    std::optional<std::vector<LoadedSpectrum>> loaded = load(file, options.entry, report);
     if (!loaded) return std::nullopt;
     for (LoadedSpectrum& one : *loaded) {
-      if (options.entry && one.name != *options.entry) continue;
       if (options.kind) one.emission = *options.kind == "emission";
       all.push_back(std::move(one));
     }
-  }
-  if (all.empty()) {
-    report.error("--entry: no spectrum is named " + quoted(options.entry.value_or("")));
-    return std::nullopt;
   }
   return all;
 }
@@ -116,9 +133,9 @@ std::optional<LoadedSpectrum> load_one(const SpectraOptions& options, const std:
   auto loaded = load_spectra(options, {file}, report);
   if (!loaded) return std::nullopt;
   if (loaded->size() == 1) return std::move(loaded->front());
-  report.error(quoted(file) + " has " + std::to_string(loaded->size()) +
-               " spectra; choose one with --entry, such as " +
-               metamer::quoted(loaded->front().name));
+  report.error(metamer::quoted(file) + " has " + std::to_string(loaded->size()) +
+               " spectra; choose one, such as " +
+               metamer::quoted(file + "#" + loaded->front().name));
   return std::nullopt;
 }
 
@@ -172,7 +189,7 @@ Wavelengths fine_wavelengths(const Spectrum& spectrum) {
 bool check_spectra_output(const SpectraOutputOptions& options, Report& report) {
   const auto& format = options.format;
   if (!format || *format == "pairs" || *format == "uniform" || *format == "cgats") return true;
-  report.error("--format: " + quoted(*format) + " is none of pairs, uniform and cgats" +
+  report.error("--format: " + metamer::quoted(*format) + " is none of pairs, uniform and cgats" +
                did_you_mean(*format, {"pairs", "uniform", "cgats"}));
   return false;
 }

@@ -36,6 +36,10 @@ ExitCode find_metamer(const MetamerOptions& options) {
   const std::string other = !options.against.empty()     ? options.against
                             : options.input.under == "A" ? "D65"
                                                          : "A";
+  if (other == options.input.under) {
+    report.error("--against: " + quoted(other) + " is the light that they match under");
+    return report.finish(ExitCode::bad_input);
+  }
   SpectraOptions input = options.input;
   input.kind = "reflectance";
   const auto original = load_one(input, input.files.front(), report);

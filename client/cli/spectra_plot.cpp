@@ -17,15 +17,6 @@ constexpr std::size_t most_curves = 64;
 /// Okabe's and Ito's colours, which the colour-blind tell apart.
 constexpr std::array colors = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
 
-/// In single quotes gnuplot takes every character as it is, but for the quote; a file's name may
-/// hold line breaks.
-std::string quote(const std::string& words) {
-  std::string result = "'";
-  for (const char c : words)
-    result += c == '\'' ? "''" : std::string(1, static_cast<unsigned char>(c) < 32 ? '?' : c);
-  return result + "'";
-}
-
 /// Emissions on the left axis, reflectances on the right one, which ends at 1.
 std::string script(const std::vector<LoadedSpectrum>& spectra) {
   const auto is_emission = [](const LoadedSpectrum& one) { return one.emission; };
@@ -35,11 +26,11 @@ std::string script(const std::vector<LoadedSpectrum>& spectra) {
       "set terminal pngcairo noenhanced size 1000,600 font 'DejaVu Sans,11'\n"
       "set key outside top center horizontal\nset grid lc rgb '#CCCCCC' lt 1\n"
       "set xlabel 'wavelength / nm'\nset border lc rgb '#888888'\n";
-  if (emissions) text += "set ylabel 'relative power'\nset yrange [0<*:*]\n";
+  if (emissions) text += "set ylabel 'relative power'\nset yrange [*<0:*]\n";
   if (reflectances)
     text += emissions ? "set ytics nomirror\nset y2tics\nset y2label 'reflectance'\nset y2range "
-                        "[0:1<*]\n"
-                      : "set ylabel 'reflectance'\nset yrange [0:1<*]\n";
+                        "[*<0:1<*]\n"
+                      : "set ylabel 'reflectance'\nset yrange [*<0:1<*]\n";
   std::string plots;
   for (std::size_t i = 0; i < spectra.size(); ++i) {
     const Spectrum& spectrum = spectra[i].spectrum;
@@ -52,8 +43,8 @@ std::string script(const std::vector<LoadedSpectrum>& spectra) {
     plots += (plots.empty() ? "plot " : ", ") + block + " using 1:2 axes " +
              (right ? "x1y2" : "x1y1") + " with " +
              (spectrum.nm.size() == 1 ? "points pt 7" : "lines lw 2.2") + " lc rgb " +
-             quote(colors[i % colors.size()]) + " dt " + (i < colors.size() ? "1" : "2") +
-             " title " + quote(spectra[i].label);
+             gnuplot_quote(colors[i % colors.size()]) + " dt " + (i < colors.size() ? "1" : "2") +
+             " title " + gnuplot_quote(spectra[i].label + (right ? " (right)" : ""));
   }
   return text + plots + "\n";
 }

@@ -80,8 +80,9 @@ asio::awaitable<Answer<Outcome>> render_by(const Bench& bench, const v1::Method&
   co_return Answer<Outcome>(std::move(outcome));
 }
 
-/// The dominant light's white, at Y = 1; sRGB's where the server gives none, which is said.
-Xyz white_of(const v1::Plan& plan, Report& report) {
+/// A perfect white that faces the dominant light; sRGB's where the server gives none, which is
+/// said.
+Xyz white_of(const v1::Plan& plan, const v1::Scene& scene, Report& report) {
   const auto& white = plan.source_white();
   if (white.size() != 3 || !(white[0] > 0) || !(white[1] > 0) || !(white[2] > 0)) {
     Problem note;
@@ -89,7 +90,9 @@ Xyz white_of(const v1::Plan& plan, Report& report) {
     report.note(note);
     return srgb::to_xyz({1, 1, 1});
   }
-  return {white[0], white[1], white[2]};
+  const v1::Light& light = scene.light(0);
+  const double luminance = light.has_luminance() && light.luminance() > 0 ? light.luminance() : 1;
+  return {luminance * white[0], luminance * white[1], luminance * white[2]};
 }
 
 /// Compares a picture with the reference and draws the difference. Error: it can't be written.
@@ -178,7 +181,7 @@ asio::awaitable<ExitCode> tradeoff_on(const Bench& bench, Report& report) {
   Tradeoff tradeoff;
   tradeoff.scene = bench.scene.name();
   tradeoff.plan = *reference->job.plan;
-  tradeoff.white = white_of(tradeoff.plan, report);
+  tradeoff.white = white_of(tradeoff.plan, bench.scene.scene(), report);
   tradeoff.rounds = bench.options.rounds;
   const v1::Timing& timing = reference->job.last.finished().timing();
   tradeoff.reference_seconds = timing.prepare() + timing.render();

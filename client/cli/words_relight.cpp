@@ -17,7 +17,7 @@ void add_relight(CLI::App& app, RelightOptions& options, Action& chosen) {
       "--material", options.materials, "NAME=SPECTRUM",
       "a material's diffuse spectrum, or NAME.specular=: a CIE test colour, a file or FILE#ENTRY");
   command.add_option("--observer", options.observer, "cie-1931-2deg or cie-1964-10deg");
-  add_development(command, options.development, "");
+  add_development(command, options.development, "In place of what the picture was rendered with");
   add_picture_files(command, options.output);
   add_json(command, options.json);
   command.footer(footer);

@@ -40,7 +40,7 @@ void add_changes(CLI::App& spectra, SpectraCommands& all, Action& chosen) {
   resample.add_option("--wavelengths", all.resample.wavelengths, "nm, such as 400,436,546,700");
   add_file(resample, all.resample.output);
 
-  CLI::App& normalize = add_command(spectra, "normalize", "scale lights to a luminance, E[3.2-4]",
+  CLI::App& normalize = add_command(spectra, "normalize", "scale lights to a luminance",
                                     chosen, [&] { return normalize_spectra(all.normalize); });
   add_input(normalize, all.normalize.input);
   add_observer(normalize, all.normalize.input);

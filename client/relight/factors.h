@@ -56,9 +56,9 @@ class FactorsBuilder {
   std::shared_ptr<Tables> tables_;
 };
 
-/// The file: "MTMRFACT", version, and the sizes of what follows (little-endian): the plan, the
-/// scene and the tables as protobuf messages, then the pixels' `end`, `signature` and `weight` as
-/// they are in memory. Appears whole or not at all.
+/// The file: a head ("MTMRFACT", version, the sizes of what follows, the SHA-256 of it all;
+/// little-endian), the plan, the scene and the tables as protobuf messages, then the pixels' `end`,
+/// `signature` and `weight` as they are in memory. Appears whole or not at all.
 Result<void> write_factors(const Factors& factors, const std::filesystem::path& file);
 
 /// Errors name the file: it is no such file, of another version, cut short, or its numbers do not

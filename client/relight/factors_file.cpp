@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "client/relight/factors.h"
+#include "common/digest.h"
 #include "common/image/whole_file.h"
 #include "common/scene/limits.h"
 
@@ -22,8 +23,27 @@ struct Head {
   std::array<char, 8> magic;
   std::uint32_t version, width, height, reserved;
   std::uint64_t plan_bytes, scene_bytes, tables_bytes, pairs;
+  Digest digest;  ///< Of all that follows, and of this with zeros here.
 };
-static_assert(sizeof(Head) == 56);
+static_assert(sizeof(Head) == 88);
+
+using Piece = std::span<const std::byte>;
+
+Digest digest_of(Head head, std::initializer_list<Piece> pieces) {
+  head.digest = {};
+  DigestStream sum;
+  const auto add = [&](const Piece& piece) {
+    sum.update({reinterpret_cast<const char*>(piece.data()), piece.size()});
+  };
+  add(std::as_bytes(std::span(&head, 1)));
+  for (const Piece& piece : pieces) add(piece);
+  return sum.finish();
+}
+
+template <class List>
+Piece bytes_of(const List& list) {
+  return std::as_bytes(std::span(list));
+}
 
 Problem file_problem(const std::filesystem::path& file, std::string message) {
   Problem problem;
@@ -77,13 +97,19 @@ Result<void> write_factors(const Factors& factors, const std::filesystem::path& 
   const std::string plan = factors.plan.SerializeAsString();
   const std::string scene = factors.scene.SerializeAsString();
   const std::string tables = factors.tables.SerializeAsString();
-  const Head head{magic,       version,      factors.width, factors.height,          0,
-                  plan.size(), scene.size(), tables.size(), factors.signature.size()};
-  const auto bytes = [](const auto& list) { return std::as_bytes(std::span(list)); };
-  return write_whole_file(
-             file, {std::as_bytes(std::span(&head, 1)), bytes(plan), bytes(scene), bytes(tables),
-                    bytes(factors.end), bytes(factors.signature), bytes(factors.weight)})
-      .map_error([&](const Problem& wrong) { return file_problem(file, wrong.message); });
+  Head head{magic,       version,      factors.width, factors.height,           0,
+            plan.size(), scene.size(), tables.size(), factors.signature.size(), {}};
+  const std::initializer_list<Piece> pieces = {bytes_of(plan),
+                                               bytes_of(scene),
+                                               bytes_of(tables),
+                                               bytes_of(factors.end),
+                                               bytes_of(factors.signature),
+                                               bytes_of(factors.weight)};
+  head.digest = digest_of(head, pieces);
+  std::vector<Piece> all = {std::as_bytes(std::span(&head, 1))};
+  all.insert(all.end(), pieces.begin(), pieces.end());
+  return write_whole_file(file, all).map_error(
+      [&](const Problem& wrong) { return file_problem(file, wrong.message); });
 }
 
 Result<Factors> read_factors(const std::filesystem::path& file) {
@@ -101,25 +127,26 @@ Result<Factors> read_factors(const std::filesystem::path& file) {
   if (size < sizeof head || !read(&head, sizeof head)) return fail("is no file of factors");
   if (const std::string fault = head_fault(head, size); !fault.empty()) return fail(fault);
 
-  // The messages, then the pixels.
+  // Read all of it, and trust no byte before the sum is right.
   Factors factors;
-  const auto read_message = [&](google::protobuf::MessageLite& message, std::uint64_t bytes) {
-    std::string text(bytes, '\0');
-    return read(text.data(), bytes) && message.ParseFromString(text);
-  };
-  if (!read_message(factors.plan, head.plan_bytes) ||
-      !read_message(factors.scene, head.scene_bytes) ||
-      !read_message(factors.tables, head.tables_bytes))
-    return fail("has a head that can't be read");
+  std::string plan(head.plan_bytes, '\0'), scene(head.scene_bytes, '\0'),
+      tables(head.tables_bytes, '\0');
   factors.width = head.width;
   factors.height = head.height;
   factors.end.resize(std::size_t{head.width} * head.height);
   factors.signature.resize(head.pairs);
   factors.weight.resize(head.pairs);
-  if (!read(factors.end.data(), 4 * factors.end.size()) ||
+  if (!read(plan.data(), plan.size()) || !read(scene.data(), scene.size()) ||
+      !read(tables.data(), tables.size()) || !read(factors.end.data(), 4 * factors.end.size()) ||
       !read(factors.signature.data(), 4 * head.pairs) ||
       !read(factors.weight.data(), 4 * head.pairs))
     return fail("can't be read");
+  if (digest_of(head, {bytes_of(plan), bytes_of(scene), bytes_of(tables), bytes_of(factors.end),
+                       bytes_of(factors.signature), bytes_of(factors.weight)}) != head.digest)
+    return fail("is damaged");
+  if (!factors.plan.ParseFromString(plan) || !factors.scene.ParseFromString(scene) ||
+      !factors.tables.ParseFromString(tables))
+    return fail("has a head that can't be read");
 
   std::string fault = scene_fault(factors.scene);
   if (fault.empty()) fault = table_fault(factors.tables, factors.scene);

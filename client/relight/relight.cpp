@@ -177,6 +177,17 @@ Image relight_spectral(const Factors& factors, const v1::SceneFactors& scene,
   return image;
 }
 
+double seen_share(const v1::SceneFactors::Light& light, cie::Observer observer,
+                  const Wavelengths& wavelengths) {
+  const Spectrum power = to_spectrum(light.power());
+  const auto luminance = [&](const Wavelengths& at) {
+    return to_xyz(observer_weights(observer, at),
+                  resample(power, at.nm(), Outside::zero).values)[1];
+  };
+  const double all = luminance(visible());
+  return all > 0 ? luminance(wavelengths) / all : 1;
+}
+
 std::optional<Xyz> source_white(const v1::SceneFactors& scene, cie::Observer observer) {
   if (scene.light().empty()) return std::nullopt;
   const Wavelengths all = visible();

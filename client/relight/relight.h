@@ -19,6 +19,10 @@ Image relight(const Factors& factors, const v1::SceneFactors& scene, cie::Observ
 Image relight_spectral(const Factors& factors, const v1::SceneFactors& scene,
                        cie::Observer observer, const Wavelengths& wavelengths);
 
+/// How much of a light's luminance sums over these wavelengths see: 1 is all of it, and of nothing.
+double seen_share(const v1::SceneFactors::Light& light, cie::Observer observer,
+                  const Wavelengths& wavelengths);
+
 /// X Y Z of the dominant light at Y = 1; empty where the observer sees nothing of it.
 std::optional<Xyz> source_white(const v1::SceneFactors& scene, cie::Observer observer);
 

@@ -41,8 +41,8 @@ struct Developing {
   bool linear = false;             ///< A .png without the space's transfer function.
 };
 
-/// What developing an XYZ image for a display lost. Nothing is clamped without being counted; f32's
-/// own rounding, 1e-6, is not counted.
+/// What developing an XYZ image for a display lost. Nothing is clamped without being counted, but
+/// for what rounding to 8 bits would have lost anyway: half a step.
 struct GamutReport {
   std::size_t negative = 0;  ///< Pixels with an RGB value below 0, or one that is not a number.
   std::size_t above = 0;     ///< Pixels with an RGB value above 1.
@@ -65,6 +65,8 @@ struct ImageHeader {
   std::vector<std::string> channels;
   std::vector<float> chromaticities;  ///< x y of red, green, blue, white; empty: not said.
   std::string emissive_units;         ///< The attribute emissiveUnits; empty: not said.
+  std::string rgb_space;  ///< Of a .png, as write_image names it ("Display P3"); empty: not said.
+  bool has_profile = false;  ///< An ICC profile.
 };
 
 /// Of a file that read_image would take as far as its header tells; the same errors.

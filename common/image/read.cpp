@@ -54,6 +54,8 @@ Result<ImageHeader> read_header(const std::filesystem::path& file) {
                         chromaticities.data()))
     header.chromaticities = std::move(chromaticities);
   header.emissive_units = spec.get_string_attribute("emissiveUnits");
+  header.rgb_space = spec.get_string_attribute("metamer:rgb_space");
+  header.has_profile = spec.find_attribute("ICCProfile") != nullptr;
   return header;
 }
 

@@ -57,19 +57,34 @@ Result<RgbSpace> space_of(const std::vector<float>& c) {
       });
 }
 
-Result<XyzPicture> from_png(const Image& image) {
+/// The space of a .png that render wrote, "Display P3, linear"; nothing where it is another's.
+std::optional<std::pair<RgbSpace, Transfer>> written_space(const std::string& name) {
+  for (const std::string& word : rgb_space_words()) {
+    const RgbSpace& space = *find_rgb_space(word);
+    if (name == space.name) return std::pair(space, space.transfer);
+    if (name == space.name + ", linear") return std::pair(space, Transfer{});
+  }
+  return std::nullopt;
+}
+
+Result<XyzPicture> from_png(const Image& image, const ImageHeader& header) {
   if (const auto alpha = find(image.channels, "A"))
     for (std::size_t i = *alpha; i < image.pixels.size(); i += image.channels.size())
       if (image.pixels[i] != 1) return problem("the picture has transparent pixels");
   auto places = find_all(image.channels, {"R", "G", "B"});
   if (!places) places = find_all(image.channels, {"Y", "Y", "Y"});
   if (!places) return problem("the picture is neither grey nor RGB");
+  const auto written = written_space(header.rgb_space);
+  if (header.has_profile && !written)
+    return problem("the picture has an ICC profile of its own: convert it to sRGB first");
+  const RgbSpace& space = written ? written->first : srgb::space();
+  const Transfer& transfer = written ? written->second : space.transfer;
   XyzPicture result;
-  result.image = converted(image, *places, [](std::array<double, 3> value) {
-    for (double& one : value) one = srgb::decode(one);
-    return srgb::to_xyz(value);
+  result.image = converted(image, *places, [&](Rgb value) {
+    for (double& one : value) one = decode(transfer, one);
+    return multiply(space.to_xyz, value);
   });
-  result.what = "sRGB";
+  result.what = written ? header.rgb_space : space.name;
   return result;
 }
 
@@ -148,7 +163,7 @@ Result<XyzPicture> read(const fs::path& file, const Viewing& viewing) {
   if (!header) return tl::unexpected<Problem>(header.error());
   const auto image = read_image(file);
   if (!image) return tl::unexpected<Problem>(image.error());
-  return oiio::format_of(file) == "png" ? from_png(*image) : from_exr(*image, *header);
+  return oiio::format_of(file) == "png" ? from_png(*image, *header) : from_exr(*image, *header);
 }
 
 }  // namespace

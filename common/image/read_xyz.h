@@ -23,13 +23,14 @@ struct XyzPicture {
 };
 
 /// Reads
-///   - a .png as sRGB, decoded; grey is R = G = B;
+///   - a .png as sRGB, decoded, or in the space that render wrote it in; grey is R = G = B;
 ///   - an .exr with channels X, Y, Z as it is;
 ///   - an .exr with R, G, B as linear, by its chromaticities, by sRGB's where it names none;
 ///   - a spectral .exr (see spectral_exr.h) through the observer: an emission by E[3.2-2], a
 ///     reflectance lit by `under`.
 /// Errors name the file: those of read_image and read_spectral_exr, other channels, transparent
-/// pixels in a .png, chromaticities that make no RGB space, a reflectance where nothing lights it.
+/// pixels or an unknown ICC profile in a .png, chromaticities that make no RGB space, a reflectance
+/// where nothing lights it.
 Result<XyzPicture> read_xyz(const std::filesystem::path& file, const Viewing& viewing);
 
 }  // namespace metamer

@@ -25,11 +25,12 @@ bool write_all(int descriptor, std::span<const std::byte> bytes) {
 
 Result<void> write_whole_file(const std::filesystem::path& file,
                               const std::vector<unsigned char>& bytes) {
-  return write_whole_file(file, {std::as_bytes(std::span(bytes))});
+  const std::span<const std::byte> piece = std::as_bytes(std::span(bytes));
+  return write_whole_file(file, std::span(&piece, 1));
 }
 
 Result<void> write_whole_file(const std::filesystem::path& file,
-                              std::initializer_list<std::span<const std::byte>> pieces) {
+                              std::span<const std::span<const std::byte>> pieces) {
   const auto failure = [&](const std::filesystem::path& left_over) -> Result<void> {
     const std::string reason = std::strerror(errno);
     if (!left_over.empty()) ::unlink(left_over.c_str());

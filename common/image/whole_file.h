@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -13,7 +12,7 @@ namespace metamer {
 /// Writes beside `file`, then renames: nobody ever sees half of it, and a failure leaves an older
 /// file as it was. Errors do not name the file yet.
 Result<void> write_whole_file(const std::filesystem::path& file,
-                              std::initializer_list<std::span<const std::byte>> pieces);
+                              std::span<const std::span<const std::byte>> pieces);
 Result<void> write_whole_file(const std::filesystem::path& file,
                               const std::vector<unsigned char>& bytes);
 

@@ -15,21 +15,17 @@ namespace {
 
 using Bytes = std::vector<unsigned char>;
 
-/// f32 rounds a white that should be exactly 1 by less than this.
-constexpr float rounding = 1e-6F;
-
-/// Counts what clipping loses, and gives the clipped, encoded, rounded bytes.
+/// Counts what clipping loses, beyond what rounding to 8 bits does, and gives the bytes.
 Bytes to_8_bit(const std::vector<float>& rgb, const Transfer& transfer, GamutReport& gamut) {
   Bytes bytes(rgb.size());
   for (std::size_t i = 0; i < rgb.size(); i += 3) {
     bool negative = false, above = false;
     for (std::size_t c = 0; c < 3; ++c) {
-      const float value = rgb[i + c];
-      negative = negative || !(value >= -rounding);
-      above = above || value > 1 + rounding;
+      const double code = 255 * encode(transfer, static_cast<double>(rgb[i + c]));
+      negative = negative || !(code > -0.5);
+      above = above || code >= 255.5;
       // The order of max's arguments turns NaN into 0.
-      const double clipped = std::min(1.0, std::max(0.0, static_cast<double>(value)));
-      bytes[i + c] = static_cast<unsigned char>(std::lround(255 * encode(transfer, clipped)));
+      bytes[i + c] = static_cast<unsigned char>(std::lround(std::min(255.0, std::max(0.0, code))));
     }
     gamut.negative += negative ? 1 : 0;
     gamut.above += above ? 1 : 0;

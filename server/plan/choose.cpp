@@ -15,7 +15,7 @@ constexpr double tolerance_margin = 0.8;
 /// A prediction is made on a machine that does other things as well.
 constexpr double deadline_margin = 0.8;
 /// Times that differ by no more are the same.
-constexpr double noise = 0.02;
+constexpr double noise = 0.05;
 /// ΔE00 that nobody sees: it is not worth any time to be better.
 constexpr double invisible = 0.05;
 

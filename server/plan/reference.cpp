@@ -15,14 +15,12 @@ Reference::Reference(const RenderScene& scene, cie::Observer observer)
   for (const RenderLight& light : scene.lights) {
     Values power =
         resample(scene.emissions[light.emission], wavelengths.nm(), Outside::zero).values;
-    const double unit = luminance_scale(observer_, power, 1);
-    if (!has_white && unit > 0) {
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        white_[axis] = unit * to_xyz(observer_, power)[axis];
-      has_white = true;
-    }
     const double scale = luminance_scale(observer_, power, light.luminance);
     for (double& value : power) value *= scale;
+    if (!has_white && scale > 0) {
+      white_ = to_xyz(observer_, power);
+      has_white = true;
+    }
     lights_.push_back(std::move(power));
   }
   for (const Spectrum& property : scene.properties)

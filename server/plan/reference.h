@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "common/color/xyz.h"
-#include "common/spectral/cie.h"
 #include "common/scene/fresnel_table.h"
+#include "common/spectral/cie.h"
 #include "server/methods/gather.h"
 #include "server/scene/render_scene.h"
 
@@ -21,8 +21,8 @@ class Reference {
   /// The light of one pixel, `scale` times the sums of `gather`.
   Xyz resolve(const Gather& gather, double scale);
 
-  /// X Y Z of the dominant light at Y = 1, the white of color differences: of the first light that
-  /// the observer sees at all; of equal energy, where there is none.
+  /// The white of color differences: a perfect white that faces the dominant light, the first one
+  /// that the observer sees at all. Equal energy at Y = 1, where there is none.
   const Xyz& white() const { return white_; }
 
  private:

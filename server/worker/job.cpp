@@ -111,9 +111,8 @@ void Job::compile(const v1::CompileJob& message) {
   scene_ = std::make_unique<RenderScene>(to_camera_space(std::move(*compiled)));
 
   keep_factors_ = message.keep_factors();
-  if (keep_factors_ && !send_factors(nullptr, scene_factors(*scene_).SerializeAsString()))
-    return send_failure(v1::Failed::BAD_INPUT,
-                        "the spectra of the scene are too many to keep factors for");
+  if (keep_factors_)
+    keep_factors_ = send_factors(nullptr, scene_factors(*scene_).SerializeAsString());
 
   // Plan, and let the daemon decide.
   settings_ = scene.settings();
@@ -174,10 +173,6 @@ void Job::render(const v1::RenderTiles& message) {
   const bool rendered = arena.execute([&] {
     return prepare() && render_tiles(message, {film.xyz(), plan_.width(), plan_.height()});
   });
-  if (too_many_factors_)
-    return send_failure(
-        v1::Failed::BAD_INPUT,
-        "a tile has more factors than can be kept: lower the depth, or the tile size");
   if (!rendered) return send_stopped();
   timing_.set_models(static_cast<double>(model_ticks_) /
                      static_cast<double>(std::max<std::uint64_t>(ticks_, 1)));
@@ -230,17 +225,16 @@ bool Job::render_tiles(const v1::RenderTiles& message, const Film& film) {
     FactorSink factor_sink(*scene_, film_sink, plan_.spp());
     PixelSink& sink = keep_factors_ ? static_cast<PixelSink&>(factor_sink) : film_sink;
     const std::uint64_t start = cpu::ticks();
-    for (int i = next++; i < message.tile_size() && !stopped_ && !too_many_factors_; i = next++) {
+    for (int i = next++; i < message.tile_size() && !stopped_; i = next++) {
       const v1::TileRect& tile = message.tile(i);
       const Rect rect{tile.x(), tile.y(), tile.width(), tile.height()};
       workspace.rays = 0;
       if (keep_factors_) factor_sink.begin(rect);
       tracer.render(rect, sink, workspace, stopped_, work_);
       if (stopped_) return;
-      if (keep_factors_ && !send_factors(&tile, factor_sink.finish().SerializeAsString())) {
-        too_many_factors_ = true;
-        return;
-      }
+      // A picture outlives its factors: a tile without any says so.
+      if (keep_factors_ && !too_many_factors_)
+        too_many_factors_ = !send_factors(&tile, factor_sink.finish().SerializeAsString());
       v1::WorkerEnvelope tile_done = envelope();
       *tile_done.mutable_tile_done()->mutable_tile() = tile;
       tile_done.mutable_tile_done()->set_rays(workspace.rays);

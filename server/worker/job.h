@@ -68,7 +68,7 @@ class Job {
   Link& link_;
   Work& work_;
   std::atomic<bool> stopped_ = false;
-  std::atomic<bool> too_many_factors_ = false;
+  std::atomic<bool> too_many_factors_ = false;  ///< The picture goes on without.
   bool keep_factors_ = false;
   std::atomic<bool> ended_ = false;
   std::unique_ptr<RenderScene> scene_;

@@ -212,15 +212,12 @@ TEST_F(FactorsFile, OfAnyLengthButItsOwnIsRefused) {
   EXPECT_NE(refused(bytes_ + "x"), "");
 }
 
-TEST_F(FactorsFile, WithAnyByteChangedIsRefusedOrReadAndNeverEndsTheProgram) {
-  for (std::size_t at = 0; at < bytes_.size(); ++at)
-    for (const char flip : {'\x01', '\x80', '\xff'}) {
-      std::string changed = bytes_;
-      changed[at] = static_cast<char>(changed[at] ^ flip);
-      std::ofstream(file_, std::ios::binary) << changed;
-      const auto factors = read_factors(file_);
-      if (factors) relight(*factors, factors->scene, cie::Observer::cie_1931_2deg);
-    }
+TEST_F(FactorsFile, WithAnyByteChangedIsRefused) {
+  for (std::size_t at = 0; at < bytes_.size(); ++at) {
+    std::string changed = bytes_;
+    changed[at] = static_cast<char>(changed[at] ^ 0x40);
+    EXPECT_NE(refused(changed), "") << at;
+  }
 }
 
 TEST_F(FactorsFile, OfAnotherKindOrVersionSaysSo) {
