@@ -40,8 +40,8 @@ void add_changes(CLI::App& spectra, SpectraCommands& all, Action& chosen) {
   resample.add_option("--wavelengths", all.resample.wavelengths, "nm, such as 400,436,546,700");
   add_file(resample, all.resample.output);
 
-  CLI::App& normalize = add_command(spectra, "normalize", "scale lights to a luminance",
-                                    chosen, [&] { return normalize_spectra(all.normalize); });
+  CLI::App& normalize = add_command(spectra, "normalize", "scale lights to a luminance", chosen,
+                                    [&] { return normalize_spectra(all.normalize); });
   add_input(normalize, all.normalize.input);
   add_observer(normalize, all.normalize.input);
   normalize.add_option("--luminance", all.normalize.luminance, "above 0")->capture_default_str();

@@ -11,7 +11,7 @@ namespace {
 
 // In mireds (1e6 / K) equal steps look about equal.
 constexpr double least_mired = 1, most_mired = 1000;
-constexpr double farthest = 0.05;
+constexpr double farthest_duv = 0.05;
 
 Uv locus(double mired) {
   static const Wavelengths wavelengths = *Wavelengths::uniform(360, 830, 5);
@@ -76,7 +76,7 @@ std::optional<ColorTemperature> color_temperature(const Chromaticity& c) {
   const bool at_an_end = mired - least_mired < 1e-6 || most_mired - mired < 1e-6;
   const Uv body = locus(mired);
   const double off = distance(own, body);
-  if (at_an_end || !(off <= farthest)) return std::nullopt;
+  if (at_an_end || !(off <= farthest_duv)) return std::nullopt;
   return ColorTemperature{1e6 / mired, std::copysign(off, own.v - body.v)};
 }
 

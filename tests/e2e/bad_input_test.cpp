@@ -202,7 +202,7 @@ TEST_F(BadInput, WavelengthsOutsideTheDataAreNoted) {
                                  "(450 nm): its end value there\n",
                                  "scene.txtpb:3:25: note: 10 of 61 wavelengths lie above its data "
                                  "(650 nm): its end value there\n",
-                                 "a.png: note: 32 pixels outside the sRGB gamut, clipped\n"})
+                                 "a.png: note: 24 pixels outside the sRGB gamut, clipped\n"})
     EXPECT_NE(ended.err.find(note), std::string::npos) << ended.err;
 }
 
