@@ -57,10 +57,11 @@ std::string heading(const Tradeoff& tradeoff) {
   const v1::Plan& plan = tradeoff.plan;
   std::array<char, 300> text{};
   std::snprintf(text.data(), text.size(),
-                "%u × %u pixels, %u samples each, %u threads; the quickest of %u rounds; "
+                "%u × %u pixels, %u samples each, %u threads; the quickest of %u round%s; "
                 "white X %.4f Y %.4f Z %.4f; reference: 360 to 830 nm by 1 nm",
                 plan.width(), plan.height(), plan.spp(), plan.threads(), tradeoff.rounds,
-                tradeoff.white[0], tradeoff.white[1], tradeoff.white[2]);
+                tradeoff.rounds == 1 ? "" : "s", tradeoff.white[0], tradeoff.white[1],
+                tradeoff.white[2]);
   return "set title " + gnuplot_quote("Cost and error of every method: " + tradeoff.scene) +
          " font ',15' offset 0,1\nset label " + gnuplot_quote(text.data()) +
          " at graph 0.5,1.025 center font ',9' tc rgb '#666666'\n";
@@ -92,13 +93,13 @@ constexpr const char* axes =
     "set terminal pngcairo noenhanced rounded size 1000,760 font 'DejaVu Sans,11' background "
     "'#FFFFFF'\n"
     "set logscale xy\nset border 3 lc rgb '#888888'\n"
-    "set lmargin at screen 0.1\nset rmargin at screen 0.97\nset tmargin at screen 0.91\n"
+    "set lmargin at screen 0.12\nset rmargin at screen 0.97\nset tmargin at screen 0.91\n"
     "set bmargin at screen 0.18\n"
     "set grid back lc rgb '#DDDDDD' lw 1 lt 1\n"
     "set xtics nomirror out format '%g'\nset ytics nomirror out format '%g'\n"
     "set xlabel 'seconds for the tables and the picture'\n"
     "set ytics add ('≤ 0.0001' 0.0001)\n"
-    "set ylabel 'ΔE00: 95th percentile (line: mean to maximum)'\n"
+    "set ylabel 'ΔE00: 95th percentile (line: mean to maximum)' offset 1,0\n"
     "set key at screen 0.53,0.1 center top horizontal maxrows 2 samplen 1.5 font ',10'\n";
 
 }  // namespace

@@ -35,7 +35,7 @@ Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const v1::
   across_ = to_lanes(Eigen::Vector3d(camera.right * pixel));
   down_ = to_lanes(Eigen::Vector3d(-camera.up * pixel));
   corner_ = to_lanes(Eigen::Vector3d(camera.forward - camera.right * (pixel * plan.width() / 2) +
-                                      camera.up * (pixel * plan.height() / 2)));
+                                     camera.up * (pixel * plan.height() / 2)));
 }
 
 void Tracer::prepare_samples() {

@@ -283,7 +283,8 @@ TEST_F(Spectra, OneOfSeveralIsChosenByItsName) {
   options.input.entry = "blue";
   EXPECT_EQ(say(convert_spectra, options).out, "400 1\n700 0\n");
   options.input.entry = "green";
-  EXPECT_EQ(say(convert_spectra, options).err, "error: \"" + options.input.files[0] + "\" has no spectrum named \"green\"\n");
+  EXPECT_EQ(say(convert_spectra, options).err,
+            "error: \"" + options.input.files[0] + "\" has no spectrum named \"green\"\n");
 }
 
 }  // namespace

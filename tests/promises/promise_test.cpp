@@ -42,8 +42,15 @@ TEST(Choice, SaysWhyWhenNoMethodIsThatQuickAndTakesTheCheapest) {
   const Choice choice = choose(a_scene().pilot(), goal, 0);
   EXPECT_EQ(choice.objection.find("no method keeps to a deadline of 1e-06 s"), 0u)
       << choice.objection;
-  for (const v1::Prediction& one : choice.predictions)
-    EXPECT_EQ(one.chosen(), &one == &choice.predictions.front());
+  // Or one that costs about as much.
+  const auto seconds = [](const v1::Prediction& one) { return one.prepare() + one.render(); };
+  int chosen = 0;
+  for (const v1::Prediction& one : choice.predictions) {
+    if (!one.chosen()) continue;
+    ++chosen;
+    EXPECT_LE(seconds(one), 1.06 * seconds(choice.predictions.front()));
+  }
+  EXPECT_EQ(chosen, 1);
 }
 
 TEST(Choice, WithTimeEnoughTakesAMethodWhoseErrorNobodySees) {
