@@ -16,6 +16,8 @@ constexpr double tolerance_margin = 0.8;
 constexpr double deadline_margin = 0.8;
 /// Times that differ by no more are the same.
 constexpr double noise = 0.05;
+/// A look at one more method may cost this share of the picture.
+constexpr double worth_a_look = 0.01;
 /// ΔE00 that nobody sees: it is not worth any time to be better.
 constexpr double invisible = 0.05;
 
@@ -85,11 +87,12 @@ Choice keep_tolerance(Predictor& predictor, const std::atomic<bool>& stopped, do
   std::vector<Predicted> all;
   const std::vector<v1::Method> methods = candidates();
   for (std::uint32_t round = 0;; ++round) {
-    // Look on while nothing fits, or while something cheaper could pay for the looking.
+    // Look on while nothing fits, or while that costs next to nothing and could save more.
     Predicted* best = cheapest(all, fits);
     while (all.empty() ||
            (all.size() < methods.size() && !stopped &&
-            (!best || best->seconds() - predictor.floor_seconds() > all.back().took))) {
+            (!best || (all.back().took < worth_a_look * best->seconds() &&
+                       best->seconds() - predictor.floor_seconds() > all.back().took)))) {
       all.push_back(predictor.predict(methods[all.size()]));
       best = cheapest(all, fits);
     }
@@ -144,8 +147,8 @@ Choice keep_deadline(Predictor& predictor, const std::atomic<bool>& stopped, dou
 
 std::vector<v1::Method> candidates() {
   std::vector<v1::Method> all(3);
-  all[0].mutable_rgb();
-  all[1].mutable_exact();
+  all[0].mutable_exact();
+  all[1].mutable_rgb();
   all[2].mutable_prefilter();
   for (const std::uint32_t bases : {3u, 4u, 6u}) all.push_back(linear(bases));
   for (const std::uint32_t count : {6u, 8u, 12u, 16u}) all.push_back(fitted(count));

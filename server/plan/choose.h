@@ -4,8 +4,9 @@
 
 namespace metamer {
 
-/// Every method with the parameters that are worth their price, the cheapest first as far as that
-/// can be told beforehand; what they cost in a scene is measured.
+/// Every method with the parameters that are worth their price: the exact one first, as it is
+/// mostly among the cheapest too, then the cheapest first as far as that can be told beforehand.
+/// What they cost in a scene is measured.
 std::vector<v1::Method> candidates();
 
 /// The method that a job is rendered with, and why.

@@ -55,7 +55,7 @@ class ColorPatch {
 
 std::uint32_t pilot_count(const v1::Plan& plan) {
   const std::uint64_t pixels = std::uint64_t{plan.width()} * plan.height();
-  return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(pixels / 256, 16, 256));
+  return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(pixels / 1024, 16, 256));
 }
 
 PilotPixels trace_pixels(const RenderScene& scene, const cpu::EmbreeScene& geometry,
@@ -67,7 +67,8 @@ PilotPixels trace_pixels(const RenderScene& scene, const cpu::EmbreeScene& geome
   PilotPixels pixels;
   pixels.scale = 1 / static_cast<float>(plan.spp());
   const auto start = Clock::now();
-  for (std::uint32_t k = run.first; k < run.first + run.count && !stopped; ++k) {
+  const std::uint32_t block = tracer.block_width() * tracer.block_height();
+  for (std::uint32_t k = run.first; k < run.first + run.count && !stopped; k += block) {
     // Find the block of the place.
     const auto place = [k](double alpha, std::uint32_t size, std::uint32_t block) {
       const auto at = static_cast<std::uint32_t>(fraction(0.5 + (k + 1) * alpha) * size);

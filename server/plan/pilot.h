@@ -26,8 +26,8 @@ struct PixelRun {
   std::uint32_t first, count;
 };
 
-/// So many pixels show what a method does to a picture of this size: about one in 256, few hundred
-/// at most, as measuring them must cost next to nothing of the picture.
+/// So many pixels show what a method does to a picture of this size: about one in 1024, a few
+/// hundred at most, as measuring them must cost next to nothing of the picture.
 std::uint32_t pilot_count(const v1::Plan& plan);
 
 /// Traces the pixels of the run; with few samples also those that share a packet with them. Stops

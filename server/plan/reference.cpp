@@ -65,8 +65,8 @@ void Reference::add_surface(const Gather& gather, std::size_t surface, Values& c
   }
 }
 
-/// The mirror's Fresnel term at the very cosine of the path, not at the nodes of a table.
-Reference::Values Reference::mirror(const Gather::Path& path) const {
+/// An exact Fresnel term lies on the line between two nodes, within 2e-5 (fresnel_table.h).
+Reference::Values Reference::mirror(const Gather::Path& path) {
   const RenderMaterial& material = scene_.materials[path.material];
   switch (material.fresnel) {
     case FresnelKind::none:
@@ -77,8 +77,14 @@ Reference::Values Reference::mirror(const Gather::Path& path) const {
       for (double& value : factor) value += (1 - value) * rise;
       return factor;
     }
-    case FresnelKind::exact:
-      return fresnel_at(constants_[material.constants], path.cosine);
+    case FresnelKind::exact: {
+      const FresnelPlace place = fresnel_place(path.cosine);
+      Values factor = fresnel_row(material.constants, place.below);
+      const Values& above = fresnel_row(material.constants, place.below + 1);
+      for (std::size_t i = 0; i < bands_; ++i)
+        factor[i] += double{place.fraction} * (above[i] - factor[i]);
+      return factor;
+    }
   }
   return properties_[material.specular];
 }

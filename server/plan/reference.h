@@ -28,7 +28,7 @@ class Reference {
  private:
   using Values = std::vector<double>;
   void add_surface(const Gather& gather, std::size_t surface, Values& carrier) const;
-  Values mirror(const Gather::Path& path) const;
+  Values mirror(const Gather::Path& path);
   const Values& fresnel_row(std::uint32_t constants, std::uint32_t node);
 
   const RenderScene& scene_;

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 
 #include "tests/promises/measured_scene.h"
 
@@ -65,7 +66,7 @@ std::pair<double, double> report(const VariedScene& varied) {
   return times;
 }
 
-int run() {
+int run(std::uint32_t scenes, std::uint32_t side) {
   std::puts("# Promise against outcome\n");
   std::puts(
       "`--method auto --tolerance T` on scenes that the choice was not tuned on (tests/promises). "
@@ -81,7 +82,7 @@ int run() {
       "in "
       "all |\n|---|---|---|---|---|---|---|---|---|---|");
   double chosen = 0, known = 0;
-  for (const VariedScene& varied : varied_scenes(24, 320)) {
+  for (const VariedScene& varied : varied_scenes(scenes, side)) {
     const auto [with_choice, with_best] = report(varied);
     chosen += with_choice;
     known += with_best;
@@ -95,4 +96,10 @@ int run() {
 }  // namespace
 }  // namespace metamer::promises
 
-int main() { return metamer::promises::run(); }
+/// promise_report [SCENES [SIDE]]: so many scenes, so many pixels wide.
+int main(int count, char** words) {
+  const auto number = [&](int at, std::uint32_t otherwise) {
+    return count > at ? static_cast<std::uint32_t>(std::atoi(words[at])) : otherwise;
+  };
+  return metamer::promises::run(number(1, 24), number(2, 640));
+}

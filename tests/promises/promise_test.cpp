@@ -65,10 +65,11 @@ TEST(Choice, MeasuresWhatThePictureWillShow) {
   // Predicted, measured afresh, and over the whole picture: the naive way is off by about as much.
   v1::Method rgb;
   rgb.mutable_rgb();
-  const PilotScene pilot = a_scene().pilot();
+  MeasuredScene scene(varied_scenes(1, 320).front());
+  const PilotScene pilot = scene.pilot();
   Predictor predictor(pilot);
   const Predicted predicted = predictor.predict(rgb);
-  const double whole = a_scene().render(rgb).error.mean();
+  const double whole = scene.render(rgb).error.mean();
   EXPECT_GT(whole, 0.1);
   EXPECT_NEAR(predicted.prediction.error().mean(), whole, 0.5 * whole);
   EXPECT_NEAR(measure(pilot, *predicted.method).mean(), whole, 0.5 * whole);
