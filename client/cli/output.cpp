@@ -7,7 +7,6 @@
 #include <cstring>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -18,12 +17,6 @@ namespace metamer::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string lower_extension(const std::string& file) {
-  std::string extension = fs::path(file).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
 
 /// Why the file can't be written; empty: nothing speaks against it.
 std::string objection(const std::string& file, bool factors) {
@@ -46,8 +39,6 @@ fs::path factors_file(const OutputOptions& options) {
   return options.factors->empty() ? fs::path(options.files.front()).replace_extension(".factors")
                                   : fs::path(*options.factors);
 }
-
-bool is_exr(const std::string& file) { return lower_extension(file) == ".exr"; }
 
 /// Some of the files hold spectra.
 bool wants_spectra(const OutputOptions& options) {

@@ -2,8 +2,9 @@
 
 #include <google/protobuf/text_format.h>
 
-#include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 
 #include "client/cli/development.h"
 #include "client/cli/spectra_input.h"
@@ -13,10 +14,6 @@
 
 namespace metamer::cli {
 namespace {
-
-bool is_png(const std::string& file) {
-  return file.size() > 4 && (file.back() == 'g' || file.back() == 'G');
-}
 
 std::string counted_pixels(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " pixel" : " pixels");
@@ -41,9 +38,12 @@ Result<void> write_spectra_of(const Pictures& pictures, const Wavelengths& wavel
                               const std::map<std::string, std::string>& metadata) {
   const std::size_t values = wavelengths.size() * pictures.xyz.pixels.size() / 3;
   if (values > max_image_values)
-    return problem("a spectral picture of " + std::to_string(values) +
-                   " values is over the limit of " + std::to_string(max_image_values) +
-                   ": fewer wavelengths, or a smaller one");
+    return tl::unexpected(Problem{.field = {},
+                                  .file = file,
+                                  .message = "a spectral picture of " + std::to_string(values) +
+                                             " values is over the limit of " +
+                                             std::to_string(max_image_values) +
+                                             ": fewer wavelengths, or a smaller one"});
   Image bands = relight_spectral(*pictures.factors, *pictures.scene,
                                  to_observer(pictures.plan.observer()), wavelengths);
   return write_spectral_exr({.width = bands.width,
@@ -75,6 +75,14 @@ void note_spectra(const std::string& file, const Pictures& pictures, const Wavel
 
 }  // namespace
 
+std::string lower_extension(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+bool is_exr(const std::string& file) { return lower_extension(file) == ".exr"; }
+
 Result<ExrContent> exr_content(const OutputOptions& options) {
   if (options.exr == "rgb") return ExrContent{};
   if (options.exr == "xyz") return ExrContent{true, {}};
@@ -104,7 +112,7 @@ ExitCode write_pictures(const OutputOptions& options, const Pictures& pictures, 
   const ExrContent exr = *exr_content(options);
   ExitCode code = ExitCode::done;
   for (const std::string& file : options.files) {
-    const bool png = is_png(file);
+    const bool png = !is_exr(file);
     if (!png && exr.spectral && !pictures.factors) continue;  // why, was said
     Result<GamutReport> gamut;
     if (!png && exr.spectral)

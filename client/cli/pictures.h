@@ -23,6 +23,10 @@ struct Pictures {
   std::map<std::string, std::string> metadata;  ///< Beside version and plan.
 };
 
+/// ".png", in whatever case it was written.
+std::string lower_extension(const std::string& file);
+bool is_exr(const std::string& file);
+
 /// What --exr says: "rgb", "xyz", "spectral" or "spectral:FROM:TO:STEP".
 struct ExrContent {
   bool xyz = false;

@@ -83,7 +83,9 @@ Choice keep_tolerance(Predictor& predictor, const std::atomic<bool>& stopped, do
   const Fits fits = [&](const Predicted& one) {
     return one.error() <= tolerance_margin * tolerance;
   };
-  const Fits any = [](const Predicted&) { return true; };
+  const Fits may_fit = [&](const Predicted& one) {
+    return one.prediction.error().maximum() <= tolerance;
+  };
   std::vector<Predicted> all;
   const std::vector<v1::Method> methods = candidates();
   for (std::uint32_t round = 0;; ++round) {
@@ -97,8 +99,8 @@ Choice keep_tolerance(Predictor& predictor, const std::atomic<bool>& stopped, do
       best = cheapest(all, fits);
     }
 
-    // Nothing fits with a margin: what is the best?
-    if (!best) best = most_accurate(all, any);
+    // Nothing fits with a margin: the best of those that the pilot's pixels do not speak against.
+    if (!best) best = most_accurate(all, may_fit);
     if (!best) {
       best = &*std::min_element(all.begin(), all.end(), [](const Predicted& a, const Predicted& b) {
         return a.error() < b.error();
@@ -118,16 +120,12 @@ Choice keep_tolerance(Predictor& predictor, const std::atomic<bool>& stopped, do
 Choice keep_deadline(Predictor& predictor, const std::atomic<bool>& stopped, double deadline,
                      const std::function<double()>& elapsed) {
   std::vector<Predicted> all;
-  std::vector<v1::Method> methods = candidates();
-  // The exact one is mostly cheap enough: then there is nothing to choose.
-  std::stable_partition(methods.begin(), methods.end(),
-                        [](const v1::Method& method) { return method.has_exact(); });
   const Fits fits = [&](const Predicted& one) {
     return elapsed() + one.seconds() <= deadline_margin * deadline;
   };
   Predicted* best = nullptr;
   double looking = 0;
-  for (const v1::Method& method : methods) {
+  for (const v1::Method& method : candidates()) {
     if ((stopped && !all.empty()) ||
         (best && (best->error() <= invisible || looking > 0.1 * deadline)))
       break;

@@ -18,7 +18,7 @@ struct Choice {
 };
 
 /// With a tolerance, the cheapest method that keeps to it: on the pilot's pixels, among the scene's
-/// colors, and on pixels that had no part in the choice. With a deadline, the most accurate one
+/// colours, and on pixels that had no part in the choice. With a deadline, the most accurate one
 /// that keeps to it, where `elapsed` seconds are spent already. Looks on only while that can save
 /// more time than it takes.
 Choice choose(const PilotScene& pilot, const v1::Auto& goal, double elapsed);

@@ -11,8 +11,8 @@
 
 namespace metamer {
 
-/// Light that reaches pixels, and the colors that the reference makes of it. Traced once, it serves
-/// to measure any method.
+/// Light that reaches pixels, and the colours that the reference makes of it. Traced once, it
+/// serves to measure any method.
 struct PilotPixels {
   std::vector<Gather> gathers;
   std::vector<Lab> reference;

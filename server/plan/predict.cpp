@@ -25,6 +25,15 @@ PixelRun fresh_run(const v1::Plan& plan, std::uint32_t round) {
   return {count * (1 + 2 * round), 2 * count};
 }
 
+/// What a method gets wrong on pixels that are traced for this.
+v1::ColorError error_on(PixelRun run, const PilotScene& pilot, const v1::Plan& plan,
+                        Reference& reference, const Method& method) {
+  const PilotPixels pixels =
+      trace_pixels(pilot.scene, pilot.geometry, plan, run, reference, pilot.stopped, pilot.work);
+  return summarize(color_errors(method, pixels, {0, pixels.gathers.size()}, reference.white(),
+                                *method.make_scratch()));
+}
+
 }  // namespace
 
 v1::Plan plan_with(const PilotScene& pilot, const v1::Method& method) {
@@ -79,20 +88,13 @@ Predicted Predictor::predict(const v1::Method& method) {
 }
 
 v1::ColorError Predictor::check(const Method& method, std::uint32_t round) {
-  const PilotPixels pixels =
-      trace_pixels(pilot_.scene, pilot_.geometry, plan_, fresh_run(plan_, 1 + round), reference_,
-                   pilot_.stopped, pilot_.work);
-  return summarize(color_errors(method, pixels, {0, pixels.gathers.size()}, reference_.white(),
-                                *method.make_scratch()));
+  return error_on(fresh_run(plan_, 1 + round), pilot_, plan_, reference_, method);
 }
 
 v1::ColorError measure(const PilotScene& pilot, const Method& method) {
   const v1::Plan plan = plan_with(pilot, any_method());
   Reference reference(pilot.scene, to_observer(plan.observer()));
-  const PilotPixels pixels = trace_pixels(pilot.scene, pilot.geometry, plan, fresh_run(plan, 0),
-                                          reference, pilot.stopped, pilot.work);
-  return summarize(color_errors(method, pixels, {0, pixels.gathers.size()}, reference.white(),
-                                *method.make_scratch()));
+  return error_on(fresh_run(plan, 0), pilot, plan, reference, method);
 }
 
 }  // namespace metamer

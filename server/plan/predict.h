@@ -25,7 +25,7 @@ struct Predicted {
   bool rejected = false;  ///< Fresh pixels showed more than the pilot did.
 
   double seconds() const { return prediction.prepare() + prediction.render(); }
-  /// The largest ΔE00 seen, in the picture or among the scene's colors.
+  /// The largest ΔE00 seen, in the picture or among the scene's colours.
   double error() const { return std::max(prediction.error().maximum(), prediction.bound()); }
 };
 

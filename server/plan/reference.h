@@ -21,7 +21,7 @@ class Reference {
   /// The light of one pixel, `scale` times the sums of `gather`.
   Xyz resolve(const Gather& gather, double scale);
 
-  /// The white of color differences: a perfect white that faces the dominant light, the first one
+  /// The white of colour differences: a perfect white that faces the dominant light, the first one
   /// that the observer sees at all. Equal energy at Y = 1, where there is none.
   const Xyz& white() const { return white_; }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "common/scene/limits.h"
 #include "common/wire/frame.h"
@@ -83,7 +84,7 @@ bool Job::retry(const std::string& reason) {
 bool Job::restart(const std::string& reason, const v1::Method& better) {
   assert(planned_);
   if (restarted_ || !take(Step::retry)) return false;
-  restarted_ = true;
+  restarted_ = replans_ = true;
   method_ = better;
   log_.drop_pictures();
   preview_ = PreviewSums(width_, height_);
@@ -171,7 +172,8 @@ Result<void> Job::plan(const v1::Plan& plan) {
     const bool same =
         plan.width() == width_ && plan.height() == height_ && plan.tile_size() == tile_size_;
     if (!same) return problem("another picture than the attempt before");
-    if (restarted_) append_planned(plan);
+    // Watchers begin their picture anew with each plan that they hear of.
+    if (std::exchange(replans_, false)) append_planned(plan);
     return {};
   }
 

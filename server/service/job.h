@@ -120,6 +120,7 @@ class Job {
   std::uint32_t losses_ = 0;  // workers lost
   bool planned_ = false;
   bool restarted_ = false;
+  bool replans_ = false;  // restarted, and its new plan has not come yet
   std::uint32_t width_ = 0;
   std::uint32_t height_ = 0;
   std::uint32_t tile_size_ = 0;

@@ -154,11 +154,14 @@ bool Job::make_plan(const v1::CompileJob& message) {
   plan_.set_scene_digest(message.scene_sha256());
   plan_.mutable_prediction()->Assign(predictions.begin(), predictions.end());
   if (is_auto) *plan_.mutable_auto_() = goal;
-  if (!objection.empty()) {
+  const auto say = [&](const char* field, const std::string& message) {
     v1::Notice* notice = plan_.add_notice();
-    notice->set_field("settings.method.auto");
-    notice->set_message(objection);
-  }
+    notice->set_field(field);
+    notice->set_message(message);
+  };
+  if (!objection.empty()) say("settings.method.auto", objection);
+  if (message.keep_factors() && !keep_factors_)
+    say("material", "the scene's spectra are too many to keep factors for");
   return true;
 }
 

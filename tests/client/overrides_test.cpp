@@ -128,6 +128,30 @@ TEST(Overrides, LightByNameOrAllOfThem) {
   EXPECT_EQ(scene.light(1).spectrum().standard(), "D65");
 }
 
+TEST(Overrides, AGoalAsksForTheMethodThatChooses) {
+  const std::pair<const char*, double> times[] = {
+      {"2", 2}, {"2s", 2}, {"500ms", 0.5}, {"1.5min", 90}};
+  for (const auto& [text, seconds] : times) {
+    v1::Scene scene;
+    Overrides overrides;
+    overrides.deadline = text;
+    ASSERT_TRUE(apply(overrides, scene)) << text;
+    EXPECT_DOUBLE_EQ(scene.settings().method().auto_().deadline(), seconds) << text;
+  }
+  Overrides overrides;
+  overrides.deadline = "2h";
+  EXPECT_EQ(error_of(overrides), "--deadline: \"2h\" is not a time, such as 2s");
+}
+
+TEST(Overrides, ALightIsGivenOnce) {
+  v1::Scene scene = scene_from("light { name: \"lamp\" }");
+  Overrides overrides;
+  overrides.lights = {"lamp=A", "lamp=D65"};
+  const auto applied = apply(overrides, scene);
+  ASSERT_FALSE(applied);
+  EXPECT_EQ(applied.error().message, "--light: \"lamp\" is named twice");
+}
+
 TEST(Overrides, WhatTheyReplacedIsTheirs) {
   v1::Scene scene = scene_from("light { name: \"lamp\" } light { name: \"sun\" }");
   Overrides overrides;

@@ -41,6 +41,13 @@ TEST_F(Promised, ExplainSaysWhatASceneNeedsAndPredictsEveryMethod) {
   EXPECT_NE(text.out.find("* exact"), std::string::npos) << text.out;
 }
 
+TEST_F(Promised, AnExplainedJobHasNoPictureToFetch) {
+  ASSERT_EQ(daemon.metamer({"explain", scene}).code, 0);
+  const Ended ended = daemon.metamer({"fetch", "1", "-o", folder / "a.png"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_NE(ended.err.find("checked or explained only"), std::string::npos) << ended.err;
+}
+
 TEST_F(Promised, AToleranceIsKeptAndMeasuredOnFreshPixels) {
   for (const std::string tolerance : {"0.1", "2"}) {
     const Json answer =

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "common/image/image.h"
 #include "common/image/read_xyz.h"
@@ -139,6 +140,58 @@ TEST_F(Relit, SaysWhatItDoesNotKnow) {
   EXPECT_NE(refused({"--light", "key=F99"}).find("F99"), std::string::npos);
   const std::string bright = folder.write("bright.txt", "400 0.8\n500 1.5\n");
   EXPECT_NE(refused({"--material", "paint=" + bright}).find("1.5 at 500 nm"), std::string::npos);
+}
+
+TEST_F(Relit, NamesMayHaveEqualsSignsAndEachIsGivenOnce) {
+  std::string text = scene_text(red, "standard: \"D65\"");
+  text.replace(text.find("\"key\""), 5, "\"a=b\"");
+  const std::string scene = folder.write("equals.txtpb", text);
+  const std::string file = folder / "equals.factors";
+  picture({"render", scene, "--keep-factors=" + file});
+  const std::string f11 = folder.write("f11.txtpb", scene_text(red, "standard: \"F11\""));
+  expect_same(picture({"relight", file, "--light", "a=b=F11"}), picture({"render", f11}));
+  const Ended twice =
+      metamer({"relight", file, "--light", "a=b=A", "--light", "a=b=F11", "-o", folder / "x.png"});
+  EXPECT_EQ(twice.code, 2);
+  EXPECT_NE(twice.err.find("\"a=b\" is named twice"), std::string::npos) << twice.err;
+}
+
+TEST_F(Relit, SaysWhatHasNoEffect) {
+  // The gold's highlight is of its n and k, and it has no diffuse part.
+  const Ended ended =
+      metamer({"relight", keep(), "--material", "gold.specular=TCS05", "-o", folder / "x.png"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_NE(ended.err.find("\"gold.specular\" has no effect"), std::string::npos) << ended.err;
+}
+
+TEST_F(Relit, APictureOutlivesItsFactors) {
+  // Two facing mirrors of n and k: each reflection doubles the products.
+  const std::string scene = folder.write("facing.txtpb", R"(
+    camera { eye { z: 0.5 } target { x: 0.3 z: -1 } }
+    settings { width: 32 height: 32 spp: 4 depth: 16 }
+    light { name: "l" position { y: 0.5 z: 0.4 } spectrum { standard: "D65" } }
+    material {
+      name: "gold" diffuseness: 0.5 specularness: 0.5 mirror: 0.9 cook_torrance {}
+      diffuse { constant: 0.5 } fresnel { conductor { metal: "Au" } }
+    }
+    object { name: "a" material: "gold" quad { corner { x: -2 y: -2 z: -1 } u { x: 4 } v { y: 4 } } }
+    object { name: "b" material: "gold" quad { corner { x: 2 y: -2 z: 1 } u { x: -4 } v { y: 4 } } }
+  )");
+  const std::string file = folder / "facing.exr", factors = folder / "facing.factors";
+  const Ended ended =
+      daemon.metamer({"render", scene, "-o", file, "--exr", "xyz", "--keep-factors=" + factors});
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_NE(ended.err.find("more factors than are kept"), std::string::npos) << ended.err;
+  EXPECT_TRUE(read_image(file));
+  EXPECT_FALSE(std::filesystem::exists(factors));
+}
+
+TEST_F(Relit, FactorsOverwriteNoOtherFile) {
+  const std::string scene = folder.write("scene.txtpb", scene_text(red, "standard: \"D65\""));
+  const Ended ended =
+      daemon.metamer({"render", scene, "-o", folder / "a.png", "--keep-factors=" + scene});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_NE(ended.err.find("does not end in .factors"), std::string::npos) << ended.err;
 }
 
 TEST_F(Relit, NeedsFactors) {

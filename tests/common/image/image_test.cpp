@@ -13,7 +13,6 @@
 #include <limits>
 #include <random>
 
-#include "common/color/adaptation.h"
 #include "common/color/srgb.h"
 #include "image_file.h"
 
@@ -140,113 +139,6 @@ TEST_F(ImageFile, PngKeepsMetadataAndSaysSrgb) {
   EXPECT_EQ(input->spec().nchannels, 3);
 }
 
-/// Big-endian numbers of a profile, ICC.1:2010, 4.
-std::uint32_t u32(const std::string& bytes, std::size_t at) {
-  std::uint32_t number = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    number = number << 8 | static_cast<unsigned char>(bytes.at(at + i));
-  return number;
-}
-
-/// The s15Fixed16Numbers of a profile's element, behind its first `skip` bytes.
-std::vector<double> element(const std::string& profile, const std::string& name, std::size_t skip) {
-  for (std::size_t i = 0; i < u32(profile, 128); ++i) {
-    const std::size_t entry = 132 + 12 * i;
-    if (profile.substr(entry, 4) != name) continue;
-    std::vector<double> numbers;
-    for (std::size_t at = skip; at < u32(profile, entry + 8); at += 4)
-      numbers.push_back(static_cast<std::int32_t>(u32(profile, u32(profile, entry + 4) + at)) /
-                        65536.0);
-    return numbers;
-  }
-  ADD_FAILURE() << "no " << name;
-  return {};
-}
-
-std::string profile_of(const fs::path& file) {
-  const auto input = OIIO::ImageInput::open(file.string());
-  const auto* found = input ? input->spec().find_attribute("ICCProfile") : nullptr;
-  if (found == nullptr) return {};
-  return {static_cast<const char*>(found->data()), found->type().size()};
-}
-
-TEST_F(ImageFile, PngOfAnotherSpaceSaysWhatItsNumbersMean) {
-  Developing wide;
-  wide.space = rgb_space(StandardSpace::display_p3);
-  ASSERT_TRUE(write_image(noise(2, 2), folder_ / "a.png", false, {}, wide));
-  const std::string profile = profile_of(folder_ / "a.png");
-  ASSERT_EQ(u32(profile, 0), profile.size());
-  // The profile that Apple ships has these colorants, adapted to D50 by Bradford.
-  const std::pair<const char*, std::vector<double>> colorants[] = {
-      {"rXYZ", {0.5151, 0.2412, -0.0011}},
-      {"gXYZ", {0.2920, 0.6922, 0.0419}},
-      {"bXYZ", {0.1571, 0.0666, 0.7841}}};
-  for (const auto& [name, published] : colorants) {
-    const std::vector<double> own = element(profile, name, 8);
-    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(own.at(c), published[c], 2e-4) << name;
-  }
-  // The curve of sRGB: gamma, a, b, c, d.
-  const std::vector<double> curve = element(profile, "rTRC", 12);
-  const double expected[] = {2.4, 1 / 1.055, 0.055 / 1.055, 1 / 12.92, 0.04045};
-  for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(curve.at(i), expected[i], 1e-5);
-
-  // Linear sRGB is another space, too; sRGB itself needs no profile.
-  Developing linear;
-  linear.linear = true;
-  ASSERT_TRUE(write_image(noise(2, 2), folder_ / "b.png", false, {}, linear));
-  EXPECT_EQ(element(profile_of(folder_ / "b.png"), "gTRC", 12).at(0), 1);
-  ASSERT_TRUE(write_image(noise(2, 2), folder_ / "c.png", false, {}));
-  EXPECT_EQ(profile_of(folder_ / "c.png"), "");
-}
-
-TEST_F(ImageFile, PngHoldsTheCodeValuesOfItsSpace) {
-  const RgbSpace& space = rgb_space(StandardSpace::adobe_rgb);
-  Image image = make_image(3, 1, {"X", "Y", "Z"});
-  const Rgb colors[] = {{0.2, 0.5, 0.8}, {1, 1, 1}, {-0.1, 0.5, 1.2}};
-  for (int x = 0; x < 3; ++x) {
-    const Xyz xyz = multiply(space.to_xyz, colors[x]);
-    for (std::size_t c = 0; c < 3; ++c) image.at(x, 0)[c] = static_cast<float>(xyz[c]);
-  }
-  for (const bool linear : {false, true}) {
-    Developing developing;
-    developing.space = space;
-    developing.linear = linear;
-    const auto report = write_image(image, folder_ / "a.png", false, {}, developing);
-    ASSERT_TRUE(report);
-    EXPECT_EQ(report->negative, 1U);
-    EXPECT_EQ(report->above, 1U);
-    const auto back = read_image(folder_ / "a.png");
-    ASSERT_TRUE(back);
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double code = linear ? colors[0][c] : std::pow(colors[0][c], 256.0 / 563);
-      EXPECT_EQ(std::lround(255 * back->at(0, 0)[c]), std::lround(255 * code));
-      EXPECT_EQ(back->at(1, 0)[c], 1.0F);
-    }
-  }
-}
-
-TEST_F(ImageFile, ExrIsLinearInItsSpaceAndAdapted) {
-  Developing developing;
-  developing.space = rgb_space(StandardSpace::prophoto);
-  const Xyz tinted = {1.0985, 1, 0.3558};
-  developing.adaptation =
-      *adaptation_matrix(Adaptation::bradford, tinted, white_xyz(developing.space.primaries.white));
-  Image image = make_image(1, 1, {"X", "Y", "Z"});
-  for (std::size_t c = 0; c < 3; ++c) image.pixels[c] = static_cast<float>(0.5 * tinted[c]);
-  ASSERT_TRUE(write_image(image, folder_ / "a.exr", false, {}, developing));
-  const auto back = read_image(folder_ / "a.exr");
-  ASSERT_TRUE(back);
-  for (const float value : back->pixels) EXPECT_NEAR(value, 0.5, 1e-6) << "grey stays grey";
-
-  const auto input = OIIO::ImageInput::open((folder_ / "a.exr").string());
-  float own[8] = {};
-  ASSERT_TRUE(
-      input->spec().getattribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), own));
-  const float expected[8] = {0.7347F, 0.2653F, 0.1596F, 0.8404F,
-                             0.0366F, 0.0001F, 0.3457F, 0.3585F};
-  for (int i = 0; i < 8; ++i) EXPECT_EQ(own[i], expected[i]);
-}
-
 TEST_F(ImageFile, PngRoundsToTheNearestOf256) {
   // Greys 0.49 of a step below and above each code.
   std::vector<srgb::Rgb> linear;
@@ -281,6 +173,19 @@ TEST_F(ImageFile, PngCountsThePixelsThatItClips) {
   EXPECT_EQ(back->at(3, 0)[0], 1.0F);
   EXPECT_EQ(back->at(4, 0)[1], 1.0F);
   EXPECT_EQ(back->at(5, 0)[0], 0.0F);
+}
+
+TEST_F(ImageFile, PngCountsNothingThatRoundingTo8BitsHides) {
+  // Half a step above 255 is 1.0045 in linear light by the inverse of IEC 61966-2-1; below 0,
+  // -1.52e-4.
+  const auto hidden = write_image(row_of({{1.004, -1e-4, 0}}), folder_ / "a.png", false, {});
+  ASSERT_TRUE(hidden);
+  EXPECT_EQ(hidden->negative + hidden->above, 0U);
+  const auto seen =
+      write_image(row_of({{1.006, 0, 0}, {0, -2e-4, 0}}), folder_ / "a.png", false, {});
+  ASSERT_TRUE(seen);
+  EXPECT_EQ(seen->above, 1U);
+  EXPECT_EQ(seen->negative, 1U);
 }
 
 TEST_F(ImageFile, PngCountsNoRoundingOfF32) {

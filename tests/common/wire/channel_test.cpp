@@ -111,6 +111,16 @@ TEST(Channel, OnlyATileOrAPreviewMayBeLargeFromAServer) {
   EXPECT_FALSE(is_bulk(Peer::server, chunk(300'000).SerializeAsString()));
 }
 
+TEST(Channel, AServersPlanMayHaveLargeFactorsAndIsSmallItself) {
+  v1::Envelope factors = event();
+  factors.mutable_job_event()->mutable_planned()->mutable_plan()->set_width(64);
+  factors.mutable_job_event()->mutable_planned()->set_factors(std::string(300'000, 'x'));
+  EXPECT_TRUE(is_bulk(Peer::server, factors.SerializeAsString()));
+  v1::Envelope plan = event();
+  plan.mutable_job_event()->mutable_planned()->mutable_plan()->add_need(std::string(300'000, 'x'));
+  EXPECT_FALSE(is_bulk(Peer::server, plan.SerializeAsString()));
+}
+
 TEST(Channel, NothingIsLargeFromAWorker) {
   EXPECT_FALSE(is_bulk(Peer::worker, chunk(300'000).SerializeAsString()));
 }

@@ -69,6 +69,35 @@ TEST_F(JobTest, AWorkerMayBeLostOnceAndNotTwice) {
   EXPECT_EQ(events.back().started().attempt(), 2u);
 }
 
+TEST_F(JobTest, ARestartDropsTheTilesAndTellsItsNewPlanOnce) {
+  auto job = running_job();
+  job->add_tile(0, 5);
+  v1::Method better;
+  better.mutable_exact();
+  ASSERT_TRUE(job->restart("the promise was broken", better));
+  EXPECT_EQ(job->tiles_done(), 0u);
+  EXPECT_TRUE(job->method()->has_exact());
+  const auto planned = [&] {
+    const auto events = read(*job, {});
+    return std::count_if(events.begin(), events.end(),
+                         [](const v1::JobEvent& event) { return event.has_planned(); });
+  };
+
+  // Pausing keeps the new tiles: another plan would make its watchers drop them.
+  job->start();
+  ASSERT_TRUE(job->plan(plan(32, 16, 16)));
+  EXPECT_EQ(planned(), 2);
+  ASSERT_TRUE(job->make_film());
+  job->add_tile(0, 5);
+  job->pause();
+  job->resume(0);
+  job->start();
+  ASSERT_TRUE(job->plan(plan(32, 16, 16)));
+  EXPECT_EQ(planned(), 2);
+  EXPECT_EQ(job->missing_tiles(10), std::vector<std::uint32_t>{1});
+  EXPECT_FALSE(job->restart("broken again", better));
+}
+
 TEST_F(JobTest, PlansBeyondTheLimitsAreRefusedBeforeMemoryIsTaken) {
   auto job = make_job();
   job->start();
