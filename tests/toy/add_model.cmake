@@ -1,4 +1,6 @@
-# cmake -DSOURCE=… -DSCRATCH=… -P add_model.cmake: see README.md. A second run builds what has changed.
+# cmake -DSOURCE=… -DSCRATCH=… -P add_model.cmake: see README.md. A second run builds what has changed;
+# the sources are copied anew, with their times, as one that is gone must not stay.
+file(REMOVE_RECURSE ${SCRATCH}/source)
 foreach(part CMakeLists.txt common proto server client shaders tests)
   file(COPY ${SOURCE}/${part} DESTINATION ${SCRATCH}/source)
 endforeach()
@@ -10,8 +12,7 @@ string(REPLACE "METAMER_DIFFUSE(60" "${line}\nMETAMER_DIFFUSE(60" with_line "${t
 if(with_line STREQUAL text)
   message(FATAL_ERROR "models.def has no line METAMER_DIFFUSE(60 before which to add a model")
 endif()
-# configure_file writes only what differs: the copy above may just have put the old text back.
-file(CONFIGURE OUTPUT ${def} CONTENT "${with_line}" @ONLY)
+file(WRITE ${def} "${with_line}")
 
 foreach(command
     "${CMAKE_COMMAND};-S;${SCRATCH}/source;-B;${SCRATCH}/build;-G;Ninja;-DCMAKE_BUILD_TYPE=Debug;-DCMAKE_CXX_FLAGS_DEBUG=-O0"
