@@ -118,6 +118,14 @@ std::vector<bool> directed(const aiMesh& mesh) {
   return result;
 }
 
+/// Some mesh repeats a vertex for each triangle at it, as formats without an index do. Looking for
+/// what is equal takes as long as reading the file.
+bool repeats_vertices(const aiScene& scene) {
+  return std::any_of(scene.mMeshes, scene.mMeshes + scene.mNumMeshes, [](const aiMesh* mesh) {
+    return mesh->mNumFaces > 1 && mesh->mNumVertices >= 3 * std::uint64_t{mesh->mNumFaces};
+  });
+}
+
 /// Appends one mesh of a file to the joined one.
 void append(const aiMesh& from, bool tangents, TriangleMesh& to) {
   const auto base = static_cast<std::uint32_t>(to.positions.size());
@@ -167,8 +175,9 @@ Result<TriangleMesh> import_mesh(const std::string& name, const AssetReader& ass
   // Let it make triangles of polygons, one node of all, and normals where the file has none.
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_JoinIdenticalVertices |
-                   aiProcess_GenSmoothNormals | aiProcess_PreTransformVertices;
+  unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenSmoothNormals |
+                   aiProcess_PreTransformVertices;
+  if (repeats_vertices(*scene)) steps |= aiProcess_JoinIdenticalVertices;
   if (tangents) steps |= aiProcess_CalcTangentSpace;
   scene = importer.ApplyPostProcessing(steps);
   if (scene == nullptr) return fail("holds no triangles");

@@ -121,14 +121,14 @@ std::string draw_model(Draw& draw) {
   }
 }
 
-VariedScene draw_scene(std::uint32_t seed, std::uint32_t side) {
+VariedScene draw_scene(std::uint32_t seed, std::uint32_t side, std::uint32_t spp) {
   Draw draw(seed);
   const std::uint32_t lights = 1 + draw.below(3), materials = 3 + draw.below(6);
   const std::uint32_t depth = draw.below(5);
   std::string text = print(
       "camera { eye { y: 1.2 z: 6 } target { y: 0.6 } }\n"
-      "settings { width: %u height: %u spp: 4 depth: %u threads: 1 }\n",
-      side, side * 3 / 4, depth);
+      "settings { width: %u height: %u spp: %u depth: %u threads: 1 }\n",
+      side, side * 3 / 4, spp, depth);
   std::string names;
   for (std::uint32_t i = 0; i < lights; ++i) {
     const Drawn light = draw_light(draw);
@@ -158,9 +158,9 @@ VariedScene draw_scene(std::uint32_t seed, std::uint32_t side) {
 
 }  // namespace
 
-std::vector<VariedScene> varied_scenes(std::uint32_t count, std::uint32_t side) {
+std::vector<VariedScene> varied_scenes(std::uint32_t count, std::uint32_t side, std::uint32_t spp) {
   std::vector<VariedScene> scenes;
-  for (std::uint32_t i = 0; i < count; ++i) scenes.push_back(draw_scene(1000 + i, side));
+  for (std::uint32_t i = 0; i < count; ++i) scenes.push_back(draw_scene(1000 + i, side, spp));
   return scenes;
 }
 

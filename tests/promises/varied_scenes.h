@@ -15,6 +15,7 @@ struct VariedScene {
 /// Lights: CIE illuminants, lasers, LEDs and steps, one to three of them. Materials: test colors as
 /// smooth curves, edges, narrow bands, metals and glass. Depth 0 to 4. `side` is the picture's
 /// width in pixels.
-std::vector<VariedScene> varied_scenes(std::uint32_t count, std::uint32_t side);
+std::vector<VariedScene> varied_scenes(std::uint32_t count, std::uint32_t side,
+                                       std::uint32_t spp = 4);
 
 }  // namespace metamer::promises
