@@ -6,9 +6,9 @@
 
 #include "metamer/v1/plan.pb.h"
 #include "server/cpu/embree_scene.h"
-#include "server/cpu/sample_pattern.h"
 #include "server/cpu/shading.h"
 #include "server/film/pixel_sink.h"
+#include "server/film/sample_pattern.h"
 
 namespace metamer::cpu {
 

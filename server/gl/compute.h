@@ -4,30 +4,25 @@
 #include <string>
 #include <vector>
 
-#include "common/problem.h"
+#include "server/gl/program.h"
 
 namespace metamer::gl {
 
 /// A compute shader from floats to floats: it reads the buffer at binding 0 and writes that at
-/// binding
-/// 1. Needs a current Context, also to be destroyed.
+/// binding 1. Needs a current Context, also to be destroyed.
 class Compute {
  public:
   /// The compiler's words where it refuses the source.
   static Result<Compute> compile(const std::string& source);
-
-  Compute(Compute&& other) noexcept;
-  Compute& operator=(Compute&&) = delete;
-  ~Compute();
 
   /// Runs so many groups and waits for the `outputs` numbers that they wrote.
   Result<std::vector<float>> run(std::span<const float> inputs, std::size_t outputs,
                                  unsigned groups) const;
 
  private:
-  explicit Compute(unsigned program) : program_(program) {}
+  explicit Compute(Program program) : program_(std::move(program)) {}
 
-  unsigned program_;
+  Program program_;
 };
 
 }  // namespace metamer::gl

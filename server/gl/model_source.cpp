@@ -50,13 +50,13 @@ std::string struct_name(const Entry& entry) {
   return std::string(entry.type) + naming(entry.kind).struct_end;
 }
 
-std::string model_source() {
+std::string model_source(const std::function<bool(const Entry&)>& wanted) {
   std::string text = "#version 450\n#define Real float\n";
   for (const char* path : {"functions.glsl", "models/lobes.glsl", "fresnel/fresnel.glsl"})
     text += shader_text(path);
   for (const Kind kind : {Kind::model, Kind::diffuse, Kind::slope, Kind::attenuation}) {
     for (const Entry& entry : models::registry(kind))
-      text += struct_text(entry) + source_text(entry);
+      if (wanted(entry)) text += struct_text(entry) + source_text(entry);
   }
   return text;
 }

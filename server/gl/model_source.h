@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -12,8 +13,9 @@ namespace metamer::gl {
 std::string_view shader_text(std::string_view path);
 
 /// "#version 450", Real, the functions that GLSL lacks or drivers compute coarsely, and the structs
-/// and functions of every line of models.def. What a program needs more follows after it.
-std::string model_source();
+/// and functions of the lines of models.def that are wanted. What a program needs more follows
+/// after it.
+std::string model_source(const std::function<bool(const models::Entry&)>& wanted);
 
 /// The function of a line: "beckmann_slope", "cook_torrance".
 std::string function_name(const models::Entry& entry);

@@ -44,13 +44,22 @@ float dot(std::size_t n, ConstRow a, ConstRow b) {
 }  // namespace
 
 BandTable::BandTable(std::size_t rows, std::size_t bands)
-    : stride_((bands + band_pad - 1) / band_pad * band_pad),
+    : rows_(rows),
+      bands_(bands),
+      stride_((bands + band_pad - 1) / band_pad * band_pad),
       values_(new (std::align_val_t{64}) float[std::max<std::size_t>(rows, 1) * stride_]()) {}
 
 void BandTable::set(std::size_t index, const std::vector<double>& values) {
   assert(values.size() <= stride_);
   std::transform(values.begin(), values.end(), row(index),
                  [](double value) { return static_cast<float>(value); });
+}
+
+std::vector<float> BandTable::packed() const {
+  const std::size_t width = 4 * std::size_t{groups_of_four(bands_)};
+  std::vector<float> all(rows_ * width);
+  for (std::size_t i = 0; i < rows_; ++i) std::copy_n(row(i), bands_, &all[i * width]);
+  return all;
 }
 
 namespace {
@@ -119,6 +128,22 @@ std::array<float, 3> BandedMethod::resolve(const Gather& gather, float scale,
   return {scale * dot(n, carrier(0), tables_.xyz.row(0)),
           scale * dot(n, carrier(0), tables_.xyz.row(1)),
           scale * dot(n, carrier(0), tables_.xyz.row(2))};
+}
+
+DirectTables BandedMethod::direct_tables() const {
+  const std::size_t lights = tables_.lights.rows(), bands = tables_.xyz.bands();
+  BandTable sensors(3 * lights, bands);
+  for (std::size_t light = 0; light < lights; ++light)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i < bands; ++i)
+        sensors.row(3 * light + axis)[i] = tables_.lights.row(light)[i] * tables_.xyz.row(axis)[i];
+  const std::uint32_t size = groups_of_four(bands);
+  return {.size = size,
+          .row_stride = size,
+          .light_stride = 0,
+          .sensor_stride = 3 * size,
+          .values = tables_.rows.packed(),
+          .sensors = sensors.packed()};
 }
 
 }  // namespace metamer

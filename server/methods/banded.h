@@ -15,19 +15,28 @@ inline constexpr std::size_t band_pad = 16;
 class BandTable {
  public:
   BandTable(std::size_t rows, std::size_t bands);
+  std::size_t rows() const { return rows_; }
+  std::size_t bands() const { return bands_; }
   std::size_t stride() const { return stride_; }
   float* row(std::size_t index) { return values_.get() + index * stride_; }
   const float* row(std::size_t index) const { return values_.get() + index * stride_; }
   /// Copies as many values as a row has bands.
   void set(std::size_t index, const std::vector<double>& values);
+  /// All rows, each padded to a multiple of 4 only.
+  std::vector<float> packed() const;
 
  private:
   struct Free {
     void operator()(float* p) const { ::operator delete[](p, std::align_val_t{64}); }
   };
-  std::size_t stride_;
+  std::size_t rows_, bands_, stride_;
   std::unique_ptr<float[], Free> values_;
 };
+
+/// A row of so many values in groups of four.
+inline std::uint32_t groups_of_four(std::size_t values) {
+  return static_cast<std::uint32_t>((values + 3) / 4);
+}
 
 /// Every method whose carrier is a list of independent values, one a band: reflection multiplies
 /// band by band, and XYZ is three dot products. `point` has a band a wavelength, `rgb` has three.
@@ -42,6 +51,7 @@ class BandedMethod : public Method {
 
   std::unique_ptr<Scratch> make_scratch() const override;
   std::array<float, 3> resolve(const Gather& gather, float scale, Scratch& scratch) const override;
+  DirectTables direct_tables() const override;
 
  private:
   void reflect(const Gather& gather, std::size_t surface, float* carrier) const;

@@ -91,6 +91,18 @@ class ExactMethod : public Method {
     return xyz;
   }
 
+  /// Each signature is X Y Z already.
+  DirectTables direct_tables() const override {
+    DirectTables tables{.size = 1,
+                        .row_stride = static_cast<std::uint32_t>(lights_),
+                        .light_stride = 1,
+                        .sensor_stride = 0,
+                        .values = std::vector<float>(direct_.size() / 3 * 4),
+                        .sensors = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
+    for (std::size_t i = 0; i < direct_.size(); ++i) tables.values[i / 3 * 4 + i % 3] = direct_[i];
+    return tables;
+  }
+
  private:
   static void add(float weight, const float* color, std::array<float, 3>& xyz) {
     for (std::size_t i = 0; i < 3; ++i) xyz[i] += weight * color[i];

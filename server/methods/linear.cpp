@@ -75,6 +75,16 @@ class LinearMethod : public Method {
     return xyz;
   }
 
+  DirectTables direct_tables() const override {
+    const std::uint32_t size = groups_of_four(bases_);
+    return {.size = size,
+            .row_stride = static_cast<std::uint32_t>(lights_) * size,
+            .light_stride = size,
+            .sensor_stride = 0,
+            .values = tables_.reflected.packed(),
+            .sensors = tables_.xyz.packed()};
+  }
+
  private:
   const float* reflected(std::size_t light, std::uint32_t row) const {
     return tables_.reflected.row(row * lights_ + light);

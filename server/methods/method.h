@@ -6,6 +6,7 @@
 
 #include "common/spectral/wavelengths.h"
 #include "metamer/v1/plan.pb.h"
+#include "server/methods/direct_tables.h"
 #include "server/methods/gather.h"
 #include "server/scene/render_scene.h"
 
@@ -26,6 +27,9 @@ class Method {
   /// The light of one pixel, X Y Z, `scale` times the sums of `gather` (1 / samples).
   virtual std::array<float, 3> resolve(const Gather& gather, float scale,
                                        Scratch& scratch) const = 0;
+
+  /// The same for paths without mirrors, as arrays.
+  virtual DirectTables direct_tables() const = 0;
 };
 
 std::unique_ptr<Method> make_method(const v1::Plan& plan, const RenderScene& scene);

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "server/cpu/sample_pattern.h"
+#include "server/film/sample_pattern.h"
 
 namespace metamer::bench {
 namespace {
@@ -29,7 +29,7 @@ void set(RTCRay8& ray, int lane, const Eigen::Vector3f& origin, const Eigen::Vec
 }  // namespace
 
 RawRays::RawRays(const RenderScene& scene, const cpu::EmbreeScene& geometry, const v1::Plan& plan) {
-  const auto pattern = cpu::sample_pattern(plan.spp());
+  const auto pattern = sample_pattern(plan.spp());
   const RenderCamera& camera = scene.camera;
   const double pixel = 2 * camera.tan_half_fov / plan.height();
   const auto lane_vector = [](const Vec8& v, int lane) {

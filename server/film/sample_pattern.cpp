@@ -1,6 +1,6 @@
-#include "server/cpu/sample_pattern.h"
+#include "server/film/sample_pattern.h"
 
-namespace metamer::cpu {
+namespace metamer {
 namespace {
 
 /// The bits of i mirrored at the binary point.
@@ -23,4 +23,4 @@ std::vector<SamplePoint> sample_pattern(unsigned count) {
   return points;
 }
 
-}  // namespace metamer::cpu
+}  // namespace metamer

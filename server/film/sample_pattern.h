@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace metamer::cpu {
+namespace metamer {
 
 /// Where in a pixel its samples lie, both in (0, 1).
 struct SamplePoint {
@@ -14,4 +14,4 @@ struct SamplePoint {
 /// where `count` is a power of two, in each elementary interval (Niederreiter 1992, 3.1).
 std::vector<SamplePoint> sample_pattern(unsigned count);
 
-}  // namespace metamer::cpu
+}  // namespace metamer

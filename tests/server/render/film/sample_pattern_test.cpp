@@ -1,10 +1,10 @@
-#include "server/cpu/sample_pattern.h"
+#include "server/film/sample_pattern.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-namespace metamer::cpu {
+namespace metamer {
 namespace {
 
 TEST(SamplePattern, OneSampleIsThePixelsMiddle) {
@@ -36,4 +36,4 @@ TEST(SamplePattern, LiesInsideThePixelForEveryCount) {
 }
 
 }  // namespace
-}  // namespace metamer::cpu
+}  // namespace metamer

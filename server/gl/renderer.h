@@ -1,0 +1,55 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+
+#include "metamer/v1/plan.pb.h"
+#include "server/film/film.h"
+#include "server/gl/geometry.h"
+#include "server/gl/programs.h"
+#include "server/methods/method.h"
+
+namespace metamer::gl {
+
+/// Renders a scene by rasteriser and compute shaders: each sample of a pixel is a picture of its
+/// own, whose rasteriser leaves the names of what is seen; then, for each light, a compute shader
+/// finds the point again, asks whether the light is seen, evaluates the model and gathers its
+/// weights; and a method's tables make X Y Z of them. No mirrors. Needs a current Context.
+class Renderer {
+ public:
+  /// `scene` in camera space; it and `geometry` must outlive the renderer. Errors: what this device
+  /// does not hold or compile.
+  static Result<Renderer> create(const RenderScene& scene, const Geometry& geometry,
+                                 const v1::Plan& plan, const Method& method, ProgramCache& cache);
+
+  /// The most pixels of a region.
+  static constexpr std::uint32_t max_region = 1u << 18;
+
+  /// Renders a part of the picture, of at most max_region pixels and max_side wide and high. Looks
+  /// at `cancelled` before each sample and then leaves the film as it is; `work` counts samples of
+  /// pixels.
+  Result<void> render(const Rect& region, const Film& film, const std::atomic<bool>& cancelled,
+                      std::atomic<std::uint64_t>& work);
+
+ private:
+  /// A texture of names and its depth, of one size.
+  class Target;
+
+  Renderer(const RenderScene& scene, const Geometry& geometry, const v1::Plan& plan);
+  Result<void> upload(const RenderScene& scene, const Method& method);
+  Result<void> resize(const Rect& region);
+  void set_camera(const Program& program, const Rect& region, float x, float y) const;
+  void set_light(const Program& program, std::uint32_t light) const;
+  void draw(const Rect& region, float x, float y) const;
+  void dispatch(const Rect& region) const;
+
+  const RenderScene& scene_;
+  const Geometry& geometry_;
+  std::uint32_t width_, height_, spp_;
+  std::shared_ptr<const Programs> programs_;
+  Buffer materials_, values_, sensors_, weights_, colors_;
+  std::uint32_t value_size_ = 0, row_stride_ = 0, light_stride_ = 0, sensor_stride_ = 0;
+  std::shared_ptr<Target> target_;
+};
+
+}  // namespace metamer::gl
