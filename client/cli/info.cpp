@@ -14,6 +14,19 @@ std::string list(const google::protobuf::RepeatedPtrField<std::string>& words) {
   return text;
 }
 
+void print_gl(const v1::GlCapabilities& gl, Report& report) {
+  report.line("gl: " + gl.renderer() + (gl.software() ? ", software" : "") + "; GL " +
+              gl.version());
+  report.line("  buffers of " + std::to_string(gl.storage_bytes() >> 20) + " MiB, textures of " +
+              std::to_string(gl.texture_side()) + " pixels");
+  report.line(gl.loop_iterations()
+                  ? "  leaves loops after " + std::to_string(gl.loop_iterations()) +
+                        " iterations; none here is as long"
+                  : std::string("  runs loops to their end"));
+  report.line(gl.timers() ? "  its timers agree with the clock"
+                          : "  its timers disagree with the clock and are not used");
+}
+
 void print_info(const v1::Info& info, double ping, Report& report) {
   std::array<char, 160> text{};
   std::snprintf(text.data(), text.size(), "up %s, answers in %.1f ms, %u %s",
@@ -24,11 +37,13 @@ void print_info(const v1::Info& info, double ping, Report& report) {
               std::to_string(info.jobs_queued()) + " queued; " +
               std::to_string((info.store_bytes() + (1u << 20) - 1) >> 20) + " MiB of assets");
   for (const v1::WorkerInfo& worker : info.worker())
-    report.line("worker " + std::to_string(worker.pid()) + ": " + worker.state() + ", start " +
-                std::to_string(worker.starts()) + ", sandbox " + worker.sandbox() +
+    report.line(worker.backend() + " worker" +
+                (worker.pid() ? " " + std::to_string(worker.pid()) : "") + ": " + worker.state() +
+                ", start " + std::to_string(worker.starts()) + ", sandbox " + worker.sandbox() +
                 (worker.last_exit().empty() ? "" : "; the one before: " + worker.last_exit()));
   report.line("backends: " + list(info.capabilities().backend()) + " (" +
               std::to_string(info.capabilities().threads()) + " threads)");
+  if (info.capabilities().has_gl()) print_gl(info.capabilities().gl(), report);
   report.line("methods: " + list(info.capabilities().method()));
   for (const v1::ModelInfo& model : info.capabilities().model()) {
     report.line(model.kind() + " " + model.name() + ": " + model.citation());

@@ -23,6 +23,7 @@ struct DevelopmentOptions {
 
 /// What the command line says instead of the scene's own settings, as written.
 struct Overrides {
+  std::optional<std::string> backend;      ///< "cpu", "gl"
   std::optional<std::string> method;       ///< A name in v1::Method: "point", "rgb".
   std::optional<std::string> samples;      ///< "400:700:5"
   std::optional<std::string> wavelengths;  ///< "400,436,546,700"

@@ -163,22 +163,36 @@ Result<void> apply_observer(const std::string& observer, v1::Settings& settings)
   return {};
 }
 
+/// The value of an enum whose name the option gives, in small letters.
+Result<int> value_named(const std::string& name, const char* what,
+                        const google::protobuf::EnumDescriptor& values) {
+  std::vector<std::string> names;
+  for (int i = 0; i < values.value_count(); ++i) {
+    std::string own = values.value(i)->name();
+    std::transform(own.begin(), own.end(), own.begin(), [](char c) {
+      return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    });
+    if (own == name) return values.value(i)->number();
+    names.push_back(std::move(own));
+  }
+  return problem(std::string("--") + what + ": no " + what + " named \"" + name + "\"" +
+                 did_you_mean(name, names));
+}
+
 Result<void> apply_shading(const std::string& shading, v1::Settings& settings,
                            std::vector<Replaced>& replaced) {
-  std::vector<std::string> names;
-  const auto& values = *v1::Shading_descriptor();
-  for (int i = 0; i < values.value_count(); ++i) {
-    std::string name = values.value(i)->name();
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](char c) { return static_cast<char>(c - 'A' + 'a'); });
-    if (name == shading) {
-      settings.set_shading(static_cast<v1::Shading>(values.value(i)->number()));
-      replaced.push_back({"settings.shading", "--shading"});
-      return {};
-    }
-    names.push_back(std::move(name));
-  }
-  return problem("--shading: no shading named \"" + shading + "\"" + did_you_mean(shading, names));
+  return value_named(shading, "shading", *v1::Shading_descriptor()).map([&](int value) {
+    settings.set_shading(static_cast<v1::Shading>(value));
+    replaced.push_back({"settings.shading", "--shading"});
+  });
+}
+
+Result<void> apply_backend(const std::string& backend, v1::Settings& settings,
+                           std::vector<Replaced>& replaced) {
+  return value_named(backend, "backend", *v1::Backend_descriptor()).map([&](int value) {
+    settings.set_backend(static_cast<v1::Backend>(value));
+    replaced.push_back({"settings.backend", "--backend"});
+  });
 }
 
 Result<void> apply_development(const DevelopmentOptions& options, v1::Settings& settings,
@@ -252,6 +266,7 @@ Result<std::vector<Replaced>> apply(const Overrides& overrides, v1::Scene& scene
   if (result) result = apply_goal(overrides, settings, replaced);
   if (result && overrides.size) result = apply_size(*overrides.size, settings, replaced);
   if (result && overrides.observer) result = apply_observer(*overrides.observer, settings);
+  if (result && overrides.backend) result = apply_backend(*overrides.backend, settings, replaced);
   if (result && overrides.shading) result = apply_shading(*overrides.shading, settings, replaced);
   if (result) result = apply_development(overrides.development, settings, replaced);
   std::set<std::string> named;

@@ -35,6 +35,7 @@ void add_overrides(CLI::App& command, Overrides& options) {
   const auto add = [&](const char* name, auto& value, const char* meaning) {
     return command.add_option(name, value, meaning)->group(group);
   };
+  add("--backend", options.backend, "cpu, a ray tracer, or gl: OpenGL, without mirrors");
   add("--method", options.method,
       "how colour is carried: point, linear, exact, prefilter, rgb or auto");
   add("--samples", options.samples, "point at FROM:TO:STEP nm, such as 400:700:5");

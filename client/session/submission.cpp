@@ -34,6 +34,7 @@ Submission make_submission(const v1::Scene& scene, const std::vector<Asset>& ass
   request.set_name(std::move(name));
   request.set_scene_sha256(std::string(to_bytes(scene_upload.sha256)));
   request.set_check_only(check_only);
+  request.set_backend(scene.settings().backend());
 
   // Name every asset in the request, and send files of equal content once.
   std::set<Digest> known = {scene_upload.sha256};

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdio>
 #include <utility>
 #include <vector>
@@ -34,18 +35,46 @@ std::vector<void*> devices() {
   std::array<EGLDeviceEXT, max_devices> found{};
   EGLint count = 0;
   if (!eglQueryDevicesEXT(max_devices, found.data(), &count)) return {};
-  std::vector<void*> result(found.begin(), found.begin() + count);
-  std::stable_partition(result.begin(), result.end(), [](void* one) { return !is_software(one); });
-  return result;
+  return std::vector<void*>(found.begin(), found.begin() + count);
+}
+
+/// Those that a word names, the best first.
+Result<std::vector<void*>> chosen_devices(const std::string& word) {
+  std::vector<void*> all = devices();
+  if (all.empty())
+    return problem(
+        "this machine has no EGL device: a driver is missing, in Debian the package "
+        "libgl1-mesa-dri");
+  if (word == "auto") {
+    std::stable_partition(all.begin(), all.end(), [](void* one) { return !is_software(one); });
+    return all;
+  }
+  if (word == "reference") {
+    std::erase_if(all, [](void* one) { return !is_software(one); });
+    if (all.empty())
+      return problem(
+          "this machine has no software EGL device, in Debian of the package libgl1-mesa-dri");
+    return all;
+  }
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (error != std::errc() || end != word.data() + word.size())
+    return problem("a GL device is auto, reference or a number, and not \"" + word + "\"");
+  if (number >= all.size())
+    return problem("there is no GL device " + word + ": this machine has " +
+                   std::to_string(all.size()) + ", counted from 0");
+  return std::vector<void*>{all[number]};
 }
 
 }  // namespace
 
 int device_count() { return static_cast<int>(devices().size()); }
 
-Result<Context> Context::create() {
-  Problem last{.field = {}, .file = {}, .message = "this machine has no EGL device"};
-  for (void* device : devices()) {
+Result<Context> Context::create(const std::string& word) {
+  const auto chosen = chosen_devices(word);
+  if (!chosen) return tl::unexpected(chosen.error());
+  Problem last;
+  for (void* device : *chosen) {
     auto context = create_on(device);
     if (context) return context;
     last = context.error();
@@ -74,13 +103,25 @@ Result<Context> Context::create_on(void* device) {
   if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
     return egl_problem("eglMakeCurrent");
   result.renderer_ = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  result.software_ = is_software(device);
   return result;
+}
+
+void Context::release() const {
+  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+}
+
+Result<void> Context::make_current() const {
+  if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
+    return egl_problem("eglMakeCurrent");
+  return {};
 }
 
 Context::Context(Context&& other) noexcept
     : display_(other.display_),
       context_(std::exchange(other.context_, nullptr)),
-      renderer_(std::move(other.renderer_)) {}
+      renderer_(std::move(other.renderer_)),
+      software_(other.software_) {}
 
 Context::~Context() {
   if (!context_) return;

@@ -73,8 +73,10 @@ class Renderer::Target {
 };
 
 Result<Renderer> Renderer::create(const RenderScene& scene, const Geometry& geometry,
-                                  const v1::Plan& plan, const Method& method, ProgramCache& cache) {
+                                  const v1::Plan& plan, const Method& method, ProgramCache& cache,
+                                  bool timers) {
   Renderer renderer(scene, geometry, plan);
+  renderer.clock_ = std::make_unique<PassClock>(timers);
   auto programs = cache.get(scene);
   if (!programs) return tl::unexpected(programs.error());
   renderer.programs_ = std::move(*programs);
@@ -220,14 +222,13 @@ Result<void> Renderer::render(const Rect& region, const Film& film,
   };
   for (const SamplePoint& at : sample_pattern(spp_)) {
     if (cancelled) break;
-    draw(region, at.x, at.y);
+    clock_->run(Pass::visibility, [&] { draw(region, at.x, at.y); });
     set_camera(programs_->shade, region, at.x, at.y);
-    for_each_light(programs_->shade);
-    glFinish();
+    clock_->run(Pass::shading, [&] { for_each_light(programs_->shade); });
     work += pixels;
   }
   set_camera(programs_->finish, region, 0, 0);
-  for_each_light(programs_->finish);
+  clock_->run(Pass::color, [&] { for_each_light(programs_->finish); });
   glDeleteVertexArrays(1, &no_attributes);
   if (const GLenum error = glGetError(); error != GL_NO_ERROR)
     return problem("GL error " + std::to_string(error) + " while rendering");

@@ -6,6 +6,7 @@
 #include "metamer/v1/plan.pb.h"
 #include "server/film/film.h"
 #include "server/gl/geometry.h"
+#include "server/gl/pass_clock.h"
 #include "server/gl/programs.h"
 #include "server/methods/method.h"
 
@@ -20,16 +21,19 @@ class Renderer {
   /// `scene` in camera space; it and `geometry` must outlive the renderer. Errors: what this device
   /// does not hold or compile.
   static Result<Renderer> create(const RenderScene& scene, const Geometry& geometry,
-                                 const v1::Plan& plan, const Method& method, ProgramCache& cache);
+                                 const v1::Plan& plan, const Method& method, ProgramCache& cache,
+                                 bool timers);
 
-  /// The most pixels of a region.
-  static constexpr std::uint32_t max_region = 1u << 18;
+  /// Of a region, so that what its pixels gather fits any device.
+  static constexpr std::uint32_t max_side = 512;
 
-  /// Renders a part of the picture, of at most max_region pixels and max_side wide and high. Looks
+  /// Renders a part of the picture, at most max_side wide and high. Looks
   /// at `cancelled` before each sample and then leaves the film as it is; `work` counts samples of
   /// pixels.
   Result<void> render(const Rect& region, const Film& film, const std::atomic<bool>& cancelled,
                       std::atomic<std::uint64_t>& work);
+
+  const PassClock& clock() const { return *clock_; }
 
  private:
   /// A texture of names and its depth, of one size.
@@ -50,6 +54,7 @@ class Renderer {
   Buffer materials_, values_, sensors_, weights_, colors_;
   std::uint32_t value_size_ = 0, row_stride_ = 0, light_stride_ = 0, sensor_stride_ = 0;
   std::shared_ptr<Target> target_;
+  std::unique_ptr<PassClock> clock_;
 };
 
 }  // namespace metamer::gl

@@ -101,6 +101,9 @@ void need_rays(const RenderScene& scene, const std::vector<const RenderMaterial*
   const auto mirrors = names_of(materials, [](const RenderMaterial& m) { return m.mirror > 0; });
   if (mirrors.empty())
     plan.add_unneeded("mirror rays: no material mirrors");
+  else if (plan.backend() == "gl")
+    plan.add_unneeded("mirror rays: the gl backend has none, although " + named(mirrors) +
+                      " mirrors");
   else if (plan.depth() == 0)
     plan.add_unneeded("mirror rays: the settings allow none, although " + named(mirrors) +
                       " mirrors");

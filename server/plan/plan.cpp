@@ -104,6 +104,21 @@ void notice_objects(const RenderScene& scene, v1::Plan& plan) {
   spheres.say("a sphere has no corners: it is shaded by PHONG", plan);
 }
 
+/// Says which mirrors the GL backend leaves out.
+void notice_mirrors(const RenderScene& scene, const v1::Settings& settings, v1::Plan& plan) {
+  if (needed_depth(scene, settings.depth()) == 0) return;
+  std::size_t count = 0, first = 0;
+  for (std::size_t i = scene.materials.size(); i-- > 0;) {
+    if (scene.materials[i].mirror <= 0) continue;
+    ++count;
+    first = i;
+  }
+  v1::Notice* notice = plan.add_notice();
+  notice->set_field("material[" + std::to_string(first) + "].mirror");
+  notice->set_message("the gl backend has no mirrors" +
+                      (count > 1 ? " (and " + std::to_string(count - 1) + " more)" : ""));
+}
+
 /// Says where uniform wavelengths do not come to the end that was asked for.
 void notice_short_end(const v1::Method& method, const Wavelengths& wavelengths, v1::Plan& plan) {
   const double last = wavelengths.nm().back();
@@ -126,10 +141,11 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
   plan.set_height(settings.height());
   plan.set_tile_size(settings.tile_size());
   plan.set_spp(settings.spp());
-  plan.set_depth(needed_depth(scene, settings.depth()));
+  const bool gl = settings.backend() == v1::GL;
+  plan.set_depth(gl ? 0 : needed_depth(scene, settings.depth()));
   plan.set_threads(settings.threads() == 0 ? capabilities.threads
                                            : std::min(settings.threads(), capabilities.threads));
-  plan.set_backend("cpu");
+  plan.set_backend(gl ? "gl" : "cpu");
   *plan.mutable_method() = settings.method();
   plan.set_observer(settings.observer());
   *plan.mutable_development() = settings.development();
@@ -154,6 +170,7 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
     if (!constants.k.nm.empty() && constants.k.nm != constants.n.nm)
       notice_gaps(constants.k, scene.constants_fields[i], Outside::hold, wavelengths, plan);
   }
+  if (gl) notice_mirrors(scene, settings, plan);
   notice_objects(scene, plan);
   notice_short_end(settings.method(), wavelengths, plan);
   notice_missed_light(scene, settings, wavelengths, plan);

@@ -99,7 +99,7 @@ Dispatch::Answer Dispatch::hello(const v1::Hello& hello) {
   welcome.set_protocol_version(wire::protocol_version);
   welcome.set_server(server_name);
   *welcome.mutable_limits() = limits_message();
-  *welcome.mutable_capabilities() = house_.supervisor.capabilities();
+  *welcome.mutable_capabilities() = house_.cpu.capabilities();
   return envelope;
 }
 
@@ -110,8 +110,14 @@ Dispatch::Answer Dispatch::info() {
   info.set_uptime(
       std::chrono::duration<double>(std::chrono::steady_clock::now() - house_.started).count());
   *info.mutable_limits() = limits_message();
-  *info.mutable_capabilities() = house_.supervisor.capabilities();
-  *info.add_worker() = house_.supervisor.info();
+  v1::Capabilities& capabilities = *info.mutable_capabilities();
+  capabilities = house_.cpu.capabilities();
+  if (house_.gl.capabilities().has_gl()) {
+    capabilities.mutable_backend()->MergeFrom(house_.gl.capabilities().backend());
+    *capabilities.mutable_gl() = house_.gl.capabilities().gl();
+  }
+  *info.add_worker() = house_.cpu.info();
+  *info.add_worker() = house_.gl.info();
   info.set_jobs_queued(house_.queue.queued());
   info.set_jobs_running(house_.queue.running());
   info.set_store_bytes(house_.store.bytes());
@@ -207,9 +213,12 @@ Dispatch::Answer Dispatch::submit(v1::Submit submit) {
     if (auto held = hold(asset.sha256(), asset.name()); !held) return tl::unexpected(held.error());
   }
 
+  if (!v1::Backend_IsValid(submit.backend()))
+    return refuse(v1::Error::LIMIT,
+                  "there is no backend of number " + std::to_string(submit.backend()));
   auto job = house_.queue.submit(std::move(submit), std::move(assets));
   if (!job) return tl::unexpected(job.error());
-  house_.supervisor.work();
+  house_.worker_of(**job).work();
   v1::Envelope envelope;
   envelope.mutable_submitted()->set_job_id((*job)->id());
   return envelope;
@@ -247,8 +256,9 @@ Dispatch::Answer Dispatch::order(Order order, std::uint64_t job_id) {
     return {};
   };
   if (auto done = carry_out(); !done) return tl::unexpected(done.error());
-  if (order != Order::resume) house_.supervisor.interrupt(*job);
-  house_.supervisor.work();
+  Supervisor& worker = house_.worker_of(*job);
+  if (order != Order::resume) worker.interrupt(*job);
+  worker.work();
   v1::Envelope envelope;
   *envelope.mutable_job_summary() = job->summary();
   return envelope;

@@ -18,9 +18,14 @@ namespace metamer::service {
 struct House {
   AssetStore& store;
   JobQueue& queue;
-  Supervisor& supervisor;
+  Supervisor& cpu;
+  Supervisor& gl;
   std::function<std::uint32_t()> sessions;  ///< How many there are.
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
+
+  Supervisor& worker_of(const Job& job) const {
+    return job.submit().backend() == v1::GL ? gl : cpu;
+  }
 };
 
 /// One client's side of the conversation: takes a request and gives the answer. No sockets.

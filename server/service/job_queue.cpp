@@ -33,11 +33,19 @@ JobQueue::JobPtr JobQueue::find(std::uint64_t id) const {
   return found == jobs_.end() ? nullptr : found->second;
 }
 
-JobQueue::JobPtr JobQueue::next() {
-  if (line_.empty()) return nullptr;
-  JobPtr job = line_.front();
-  line_.pop_front();
+JobQueue::JobPtr JobQueue::next(v1::Backend backend) {
+  const auto found = std::find_if(line_.begin(), line_.end(), [&](const JobPtr& job) {
+    return job->submit().backend() == backend;
+  });
+  if (found == line_.end()) return nullptr;
+  JobPtr job = *found;
+  line_.erase(found);
   return job;
+}
+
+bool JobQueue::has_work(v1::Backend backend) const {
+  return std::any_of(line_.begin(), line_.end(),
+                     [&](const JobPtr& job) { return job->submit().backend() == backend; });
 }
 
 void JobQueue::put_first(JobPtr job) {

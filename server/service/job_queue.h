@@ -24,8 +24,8 @@ class JobQueue {
   /// Null when there is none of that number (any more).
   JobPtr find(std::uint64_t id) const;
 
-  /// Takes the next queued job out of the line; null when there is none.
-  JobPtr next();
+  /// Takes the next queued job for a backend out of the line; null when there is none.
+  JobPtr next(v1::Backend backend);
   /// Puts a retried job in front of all others.
   void put_first(JobPtr job);
 
@@ -36,7 +36,7 @@ class JobQueue {
   /// Says that `job` has ended, and drops what is too much.
   void ended(Job& job);
 
-  bool idle() const { return line_.empty(); }
+  bool has_work(v1::Backend backend) const;
   std::uint32_t queued() const { return static_cast<std::uint32_t>(line_.size()); }
   std::uint32_t running() const;
   v1::JobList list() const;

@@ -23,6 +23,7 @@ struct CommandLine {
   std::vector<std::string> listen;
   std::string store;
   std::string worker;
+  std::string gl_device = "auto";
   std::string log_level = "info";
   std::uint64_t store_bytes = 8ull << 30;
   std::uint64_t keep_bytes = 1ull << 30;
@@ -53,6 +54,10 @@ void describe(CLI::App& app, CommandLine& line) {
   app.add_option("--worker", line.worker,
                  "the worker's program. Default: metamer-worker beside "
                  "this one");
+  app.add_option("--gl-device", line.gl_device,
+                 "of the GL worker, which starts with its first job: auto, a graphics processor "
+                 "before software; reference, software; or a number, in EGL's order")
+      ->capture_default_str();
   app.add_option("--worker-timeout", line.worker_timeout,
                  "seconds without a sign of life after which a worker is ended")
       ->check(CLI::Range(0.05, 3600.0))
@@ -139,6 +144,7 @@ int run(const CommandLine& line) {
   options.worker.command.program =
       line.worker.empty() ? service::default_worker() : std::filesystem::path(line.worker);
   options.worker.command.threads = line.threads;
+  options.worker.command.gl_device = line.gl_device;
   options.worker.worker_timeout = milliseconds(line.worker_timeout);
   options.worker.stall_timeout = milliseconds(line.stall_timeout);
   return run(line, std::move(options));

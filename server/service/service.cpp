@@ -12,13 +12,19 @@ ServiceOptions completed(ServiceOptions options) {
   return options;
 }
 
+Supervisor::Options for_backend(Supervisor::Options options, v1::Backend backend) {
+  options.command.backend = backend;
+  return options;
+}
+
 }  // namespace
 
 Service::Service(asio::io_context& context, ServiceOptions options)
     : context_(context),
       options_(completed(std::move(options))),
       queue_(options_.keep_bytes),
-      supervisor_(context.get_executor(), options_.worker, queue_),
+      cpu_(context.get_executor(), for_backend(options_.worker, v1::CPU), queue_),
+      gl_(context.get_executor(), for_backend(options_.worker, v1::GL), queue_),
       listener_(context.get_executor()) {}
 
 Result<void> Service::start() {
@@ -26,18 +32,19 @@ Result<void> Service::start() {
   if (!store) return tl::unexpected(store.error());
   store_ = *std::move(store);
   house_ = std::make_unique<House>(
-      House{*store_, queue_, supervisor_, [this] { return listener_.sessions(); }});
+      House{*store_, queue_, cpu_, gl_, [this] { return listener_.sessions(); }});
   for (const wire::Endpoint& endpoint : options_.listen) {
     if (auto opened = listener_.open(endpoint); !opened) return opened;
   }
-  supervisor_.start();
+  cpu_.start();
   listener_.start(*house_);
   return {};
 }
 
 void Service::stop() {
   listener_.stop();
-  supervisor_.stop();
+  cpu_.stop();
+  gl_.stop();
 }
 
 }  // namespace metamer::service

@@ -18,7 +18,7 @@ struct ServiceOptions {
   std::filesystem::path store;
   std::uint64_t store_bytes = 8ull << 30;
   std::uint64_t keep_bytes = 1ull << 30;  ///< Of films of ended jobs, and of paused ones.
-  Supervisor::Options worker;             ///< Its store is filled in.
+  Supervisor::Options worker;  ///< Of both backends; its store and backend are filled in.
 };
 
 /// The whole daemon, on one thread: everything here and below runs in `context` and nowhere else,
@@ -40,7 +40,7 @@ class Service {
   ServiceOptions options_;
   std::unique_ptr<AssetStore> store_;
   JobQueue queue_;
-  Supervisor supervisor_;
+  Supervisor cpu_, gl_;
   std::unique_ptr<House> house_;
   Listener listener_;
 };

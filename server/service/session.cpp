@@ -81,7 +81,11 @@ asio::awaitable<void> Session::read_requests() {
       co_return;
     }
     // Welcome says what the workers can do; they say so soon after the start.
-    if (request.has_hello()) co_await house_.supervisor.wait_for_capabilities();
+    if (request.has_hello()) co_await house_.cpu.wait_for_capabilities();
+    if (request.has_get_info()) {
+      house_.gl.start();
+      co_await house_.gl.wait_for_capabilities();
+    }
     handle(std::move(request));
     while (answers_.size() >= max_unsent_answers && channel_.is_open()) {
       co_await room_.async_wait(asio::as_tuple(asio::use_awaitable));

@@ -16,6 +16,8 @@ constexpr std::chrono::milliseconds last_backoff{5000};
 /// So many failed starts in a row are no accident: jobs are told instead of kept waiting.
 constexpr std::uint32_t hopeless_starts = 3;
 
+const char* word(v1::Backend backend) { return backend == v1::GL ? "gl" : "cpu"; }
+
 std::string seconds(std::chrono::milliseconds duration) {
   return fmt::format("{:g} s", static_cast<double>(duration.count()) / 1000);
 }
@@ -30,7 +32,9 @@ Supervisor::Supervisor(const asio::any_io_executor& executor, Options options, J
       restart_(executor),
       overdue_(executor) {}
 
-void Supervisor::start() { start_worker(); }
+void Supervisor::start() {
+  if (state_ == State::asleep) start_worker();
+}
 
 void Supervisor::stop() {
   state_ = State::stopped;
@@ -53,16 +57,17 @@ void Supervisor::start_worker() {
   state_ = State::starting;
   if (!worker) return on_exit(worker.error().message);
   worker_ = *worker;
-  spdlog::info("worker {} started", worker_->pid());
+  spdlog::info("{} worker {} started", word(backend()), worker_->pid());
   last_sign_ = Clock::now();
   watch();
 }
 
 void Supervisor::on_exit(const std::string& reason) {
   if (state_ == State::stopped) return;
-  spdlog::warn("the worker is gone: {}", reason);
+  spdlog::warn("the {} worker is gone: {}", word(backend()), reason);
   overdue_.cancel();
   worker_.reset();
+  if (!obstacle_.empty()) return give_up();
   last_exit_ = reason;
   const State before = std::exchange(state_, State::down);
   start_was_tried_ = true;
@@ -81,6 +86,15 @@ void Supervisor::on_exit(const std::string& reason) {
   });
 }
 
+/// Says why no worker can start, and tries anew when it is next asked for.
+void Supervisor::give_up() {
+  last_exit_ = std::exchange(obstacle_, {});
+  state_ = State::asleep;
+  start_was_tried_ = true;
+  capabilities_signal_.cancel();
+  fail_queue(last_exit_);
+}
+
 void Supervisor::lose_job(const std::string& reason) {
   if (job_->retry("the worker was lost: " + reason)) return queue_.put_first(job_);
   job_->fail(v1::Failed::WORKER, "the worker was lost twice: " + reason);
@@ -88,7 +102,7 @@ void Supervisor::lose_job(const std::string& reason) {
 }
 
 void Supervisor::fail_queue(const std::string& reason) {
-  while (const auto job = queue_.next()) {
+  while (const auto job = queue_.next(backend())) {
     job->fail(v1::Failed::WORKER, "no worker starts: " + reason);
     queue_.ended(*job);
   }
@@ -132,8 +146,9 @@ void Supervisor::distrust(const std::string& what) { worker_->kill(what); }
 // ---- Jobs
 
 void Supervisor::work() {
+  if (state_ == State::asleep && queue_.has_work(backend())) return start_worker();
   if (state_ != State::idle) return;
-  job_ = queue_.next();
+  job_ = queue_.next(backend());
   if (!job_) return;
   job_->start();
   spdlog::info("job {} ({}) started", job_->id(), job_->submit().name());
@@ -192,7 +207,11 @@ v1::WorkerInfo Supervisor::info() const {
   v1::WorkerInfo info;
   info.set_pid(worker_ ? static_cast<std::uint32_t>(worker_->pid()) : 0);
   const bool starting = state_ == State::down || state_ == State::starting;
-  info.set_state(starting ? "starting" : state_ == State::idle ? "idle" : "busy");
+  info.set_state(state_ == State::asleep ? "asleep"
+                 : starting              ? "starting"
+                 : state_ == State::idle ? "idle"
+                                         : "busy");
+  info.set_backend(word(backend()));
   info.set_starts(starts_);
   info.set_last_exit(last_exit_);
   info.set_sandbox(sandbox_);

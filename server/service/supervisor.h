@@ -13,8 +13,8 @@
 
 namespace metamer::service {
 
-/// Keeps a worker running and gives it the queue's jobs, one at a time. A worker that dies, hangs
-/// or lies costs its job one attempt and nothing else.
+/// Keeps a backend's worker running and gives it the queue's jobs for it, one at a time. A worker
+/// that dies, hangs or lies costs its job one attempt and nothing else.
 class Supervisor {
  public:
   struct Options {
@@ -27,7 +27,7 @@ class Supervisor {
 
   Supervisor(const asio::any_io_executor& executor, Options options, JobQueue& queue);
 
-  /// Starts the first worker.
+  /// Starts the first worker, unless there is one. Without it the first job does.
   void start();
   /// Ends the worker and starts no other.
   void stop();
@@ -42,9 +42,11 @@ class Supervisor {
   /// Waits until they are known or the first worker has failed to start.
   asio::awaitable<void> wait_for_capabilities();
   v1::WorkerInfo info() const;
+  v1::Backend backend() const { return options_.command.backend; }
 
  private:
   enum class State {
+    asleep,    // none was needed yet, or none can start
     down,      // none runs; the restart timer does
     starting,  // no WorkerReady yet
     idle,
@@ -59,6 +61,7 @@ class Supervisor {
   void start_worker();
   void on_message(v1::WorkerEnvelope message);
   void on_exit(const std::string& reason);
+  void give_up();
   void watch();  // sets the timer to the next moment at which something is overdue
   void check_overdue();
 
@@ -90,12 +93,13 @@ class Supervisor {
   asio::steady_timer capabilities_signal_;
   bool start_was_tried_ = false;
 
-  State state_ = State::down;
+  State state_ = State::asleep;
   std::shared_ptr<WorkerProcess> worker_;
   JobQueue::JobPtr job_;  // in compiling, rendering and stopping
   std::uint32_t starts_ = 0;
   std::uint32_t failed_starts_ = 0;  // in a row
   std::string last_exit_;
+  std::string obstacle_;  // why the worker that starts can't, in its own words
   std::string sandbox_;
   asio::steady_timer restart_;
   asio::steady_timer overdue_;

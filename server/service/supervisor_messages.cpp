@@ -32,6 +32,10 @@ void Supervisor::on_message(v1::WorkerEnvelope message) {
       return distrust("sent a message that workers do not send");
   }
 
+  if (state_ == State::starting && message.has_failed()) {
+    obstacle_ = message.failed().reason();
+    return;
+  }
   // An answer about a job that is over was on its way before the worker heard of it.
   if (!has_job() || message.job_id() != job_->id()) return;
   if (state_ == State::stopping) {

@@ -50,6 +50,8 @@ class Descriptor {
 int start(const WorkerCommand& command, int socket, int film, pid_t& pid) {
   std::vector<std::string> words = {command.program.string(), "--store", command.store.string(),
                                     "--threads", std::to_string(command.threads)};
+  if (command.backend == v1::GL)
+    words.insert(words.end(), {std::string("--gl-device"), command.gl_device});
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);

@@ -24,6 +24,8 @@ struct WorkerCommand {
   std::filesystem::path program;
   std::filesystem::path store;
   std::uint32_t threads = 0;  ///< 0: as many as the machine has.
+  v1::Backend backend = v1::CPU;
+  std::string gl_device = "auto";  ///< Of a GL worker: auto, reference or a number.
 };
 
 /// One running metamer-worker: its process, its socket (descriptor 3 there) and the memory that it

@@ -2,6 +2,7 @@
 
 #include "common/models/registry.h"
 #include "metamer/v1/scene.pb.h"
+#include "server/gl/device.h"
 
 namespace metamer {
 
@@ -26,10 +27,11 @@ void add(const models::Entry& entry, v1::Capabilities& to) {
 
 }  // namespace
 
-v1::Capabilities capabilities(unsigned threads) {
+v1::Capabilities capabilities(const WorkerOptions& options) {
   v1::Capabilities result;
-  result.add_backend("cpu");
-  result.set_threads(threads);
+  result.add_backend(options.gl ? "gl" : "cpu");
+  result.set_threads(options.threads);
+  if (options.gl) *result.mutable_gl() = options.gl->capabilities();
   const auto* methods = v1::Method::descriptor()->FindOneofByName("method");
   for (int i = 0; i < methods->field_count(); ++i) result.add_method(methods->field(i)->name());
   using models::Kind;

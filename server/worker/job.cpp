@@ -5,11 +5,6 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <fstream>
-#include <map>
-
-#include "common/digest.h"
-#include "common/scene/limits.h"
 #include "common/scene/settings.h"
 #include "common/wire/frame.h"
 #include "server/cpu/ticks.h"
@@ -18,6 +13,8 @@
 #include "server/plan/choose.h"
 #include "server/scene/camera_space.h"
 #include "server/scene/compile.h"
+#include "server/worker/assets.h"
+#include "server/worker/gl_picture.h"
 
 namespace metamer {
 namespace {
@@ -26,34 +23,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// An asset's bytes from the store. The daemon has checked digest and size.
-Result<std::string> read_stored(const std::filesystem::path& store, const std::string& digest) {
-  const auto known = digest_from_bytes(digest);
-  if (!known) return problem("has no digest");
-  const std::filesystem::path file = store / to_hex(*known);
-  std::error_code error;
-  const auto size = std::filesystem::file_size(file, error);
-  if (error) return problem("is not in the store");
-  if (size > limits::max_asset) return problem("is too large");
-  std::string bytes(size, '\0');
-  std::ifstream in(file, std::ios::binary);
-  if (!in.read(bytes.data(), static_cast<std::streamsize>(size))) return problem("can't be read");
-  return bytes;
-}
-
-/// The job's assets by the names that its scene uses.
-AssetReader reader(const v1::CompileJob& message, const std::filesystem::path& store) {
-  std::map<std::string, std::string> digests;
-  for (const v1::AssetName& asset : message.asset()) digests[asset.name()] = asset.sha256();
-  return [digests = std::move(digests), store](const std::string& name) -> Result<std::string> {
-    const auto found = digests.find(name);
-    auto bytes =
-        found == digests.end() ? problem("was not sent along") : read_stored(store, found->second);
-    if (!bytes) bytes.error().file = name;
-    return bytes;
-  };
 }
 
 /// The film's memory, mapped for as long as this lives.
@@ -101,16 +70,20 @@ void Job::compile(const v1::CompileJob& message) {
   if (!bytes || !scene.ParseFromString(*bytes))
     return send_failure(v1::Failed::BAD_INPUT, "the scene's bytes are no scene");
   *scene.mutable_settings() = with_defaults(scene.settings());
+  scene.mutable_settings()->set_backend(options_.gl ? v1::GL : v1::CPU);
+  geometry_key_ = geometry_key(scene, message);
   ++work_;
 
   // Compile it: names, spectra and meshes become flat arrays.
-  auto compiled = compile_scene(scene, reader(message, options_.store), stopped_);
+  auto compiled = compile_scene(scene, stored_assets(message, options_.store), stopped_);
   ++work_;
   if (stopped_) return send_stopped();
   if (!compiled) return send_problems(compiled.error());
   scene_ = std::make_unique<RenderScene>(to_camera_space(std::move(*compiled)));
 
   keep_factors_ = message.keep_factors();
+  if (keep_factors_ && options_.gl)
+    return send_failure(v1::Failed::BAD_INPUT, "the gl backend keeps no factors for relighting");
   if (keep_factors_)
     keep_factors_ = send_factors(nullptr, scene_factors(*scene_).SerializeAsString());
 
@@ -172,13 +145,18 @@ void Job::render(const v1::RenderTiles& message) {
   const MappedFilm film(options_.film_descriptor, plan_);
   if (!film) return send_failure(v1::Failed::SERVER, "no shared memory for the picture");
 
-  tbb::task_arena arena(static_cast<int>(plan_.threads()));
-  const bool rendered = arena.execute([&] {
-    return prepare() && render_tiles(message, {film.xyz(), plan_.width(), plan_.height()});
-  });
-  if (!rendered) return send_stopped();
-  timing_.set_models(static_cast<double>(model_ticks_) /
-                     static_cast<double>(std::max<std::uint64_t>(ticks_, 1)));
+  const Film view{film.xyz(), plan_.width(), plan_.height()};
+  if (options_.gl) {
+    const auto done = render_by_gl(message, view);
+    if (!done && !stopped_) return send_failure(v1::Failed::SERVER, done.error().message);
+  } else {
+    tbb::task_arena arena(static_cast<int>(plan_.threads()));
+    arena.execute(
+        [&] { return prepare_method() && build_geometry() && render_tiles(message, view); });
+    timing_.set_models(static_cast<double>(model_ticks_) /
+                       static_cast<double>(std::max<std::uint64_t>(ticks_, 1)));
+  }
+  if (stopped_) return send_stopped();
   v1::WorkerEnvelope done = envelope();
   *done.mutable_done()->mutable_timing() = timing_;
   if (plan_.has_auto_() && message.last()) measure_promise(*done.mutable_done());
@@ -194,15 +172,15 @@ bool Job::build_geometry() {
   return geometry_.has_value();
 }
 
-/// Makes the method's tables and the acceleration structure. False when stopped.
-bool Job::prepare() {
+/// Makes the method's tables. Not stopped by anything.
+bool Job::prepare_method() {
   if (!method_) {
     const auto start = Clock::now();
     method_ = make_method(plan_, *scene_);
     timing_.set_prepare(seconds_since(start));
     ++work_;
   }
-  return build_geometry();
+  return true;
 }
 
 /// Holds the promise against pixels that had no part in the choice.
@@ -210,6 +188,7 @@ void Job::measure_promise(v1::JobDone& done) {
   const double elapsed = seconds_since(begun_);
   const Capabilities capabilities{.threads = options_.threads};
   v1::Accuracy& accuracy = *done.mutable_accuracy();
+  if (!build_geometry()) return;
   *accuracy.mutable_error() =
       measure({*scene_, *geometry_, settings_, capabilities, stopped_, work_}, *method_);
   if (plan_.auto_().has_deadline()) return accuracy.set_kept(elapsed <= plan_.auto_().deadline());
@@ -238,15 +217,36 @@ bool Job::render_tiles(const v1::RenderTiles& message, const Film& film) {
       // A picture outlives its factors: a tile without any says so.
       if (keep_factors_ && !too_many_factors_)
         too_many_factors_ = !send_factors(&tile, factor_sink.finish().SerializeAsString());
-      v1::WorkerEnvelope tile_done = envelope();
-      *tile_done.mutable_tile_done()->mutable_tile() = tile;
-      tile_done.mutable_tile_done()->set_rays(workspace.rays);
-      link_.send(tile_done);
+      send_tile(tile, workspace.rays);
     }
     ticks_ += cpu::ticks() - start;
     model_ticks_ += cpu::model_ticks(workspace);
   });
   return !stopped_;
+}
+
+/// Renders region by region, each of them whole before its tiles are told.
+Result<void> Job::render_by_gl(const v1::RenderTiles& message, const Film& film) {
+  prepare_method();
+  if (!gl_picture_) {
+    auto made = GlPicture::make(*options_.gl, geometry_key_, *scene_, plan_, *method_, stopped_);
+    if (!made) return tl::unexpected(made.error());
+    gl_picture_ = std::make_unique<GlPicture>(std::move(*made));
+    gl_picture_->add_preparation(timing_);
+    ++work_;
+  }
+  const auto done = gl_picture_->render(
+      message, film, stopped_, work_,
+      [&](const v1::TileRect& tile, std::uint64_t rays) { send_tile(tile, rays); });
+  gl_picture_->set_passes(timing_);
+  return done;
+}
+
+void Job::send_tile(const v1::TileRect& tile, std::uint64_t rays) {
+  v1::WorkerEnvelope tile_done = envelope();
+  *tile_done.mutable_tile_done()->mutable_tile() = tile;
+  tile_done.mutable_tile_done()->set_rays(rays);
+  link_.send(tile_done);
 }
 
 /// In pieces that a worker's frame holds. False for more than is kept, or for none at all.

@@ -14,12 +14,19 @@
 #include "server/scene/render_scene.h"
 #include "server/worker/link.h"
 
+namespace metamer::gl {
+class Device;
+}
+
 namespace metamer {
+
+class GlPicture;
 
 /// What a worker is started with.
 struct WorkerOptions {
   std::filesystem::path store;  ///< Assets, by their hex digest.
   unsigned threads = 0;         ///< Of the CPU lane.
+  gl::Device* gl = nullptr;     ///< Of the GL lane; null: this is a CPU worker.
   int film_descriptor = -1;     ///< Shared memory, sized by the daemon.
 };
 
@@ -55,10 +62,12 @@ class Job {
   void send_problems(const std::vector<Problem>& problems);
   void send_failure(v1::Failed::Kind kind, const std::string& reason);
   v1::WorkerEnvelope envelope() const;
+  void send_tile(const v1::TileRect& tile, std::uint64_t rays);
   void send_last(const v1::WorkerEnvelope& message);
   bool make_plan(const v1::CompileJob& message);
   bool build_geometry();
-  bool prepare();
+  bool prepare_method();
+  Result<void> render_by_gl(const v1::RenderTiles& message, const Film& film);
   void measure_promise(v1::JobDone& done);
   bool send_factors(const v1::TileRect* tile, const std::string& bytes);
   bool render_tiles(const v1::RenderTiles& message, const Film& film);
@@ -74,6 +83,8 @@ class Job {
   std::unique_ptr<RenderScene> scene_;
   std::unique_ptr<Method> method_;
   std::optional<cpu::EmbreeScene> geometry_;
+  std::string geometry_key_;  ///< All that the geometry depends on.
+  std::unique_ptr<GlPicture> gl_picture_;
   v1::Settings settings_;  ///< With the defaults filled in.
   v1::Plan plan_;
   v1::Timing timing_;

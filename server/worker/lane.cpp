@@ -1,5 +1,10 @@
 #include "server/worker/lane.h"
 
+#include <cstdio>
+#include <cstdlib>
+
+#include "server/gl/device.h"
+
 namespace metamer {
 
 Lane::Lane(const WorkerOptions& options, Link& link, Work& work)
@@ -22,10 +27,12 @@ bool Lane::take(const v1::WorkerEnvelope& message) {
       std::unique_lock lock(mutex_);
       // The daemon sends a step only after the one before has answered, so this is short.
       changed_.wait(lock, [this] { return !in_step_ && !waiting_; });
-      if (message.has_compile_job())
+      if (message.has_compile_job()) {
+        retired_ = std::move(job_);
         job_ = std::make_unique<Job>(message.job_id(), options_, link_, work_);
-      else if (!job_ || job_->id() != message.job_id())
+      } else if (!job_ || job_->id() != message.job_id()) {
         return false;
+      }
       waiting_ = message;
       changed_.notify_all();
       return true;
@@ -59,6 +66,12 @@ void Lane::stop(std::uint64_t job_id) {
 }
 
 void Lane::run() {
+  if (options_.gl) {
+    if (const auto taken = options_.gl->context().make_current(); !taken) {
+      std::fprintf(stderr, "metamer-worker: %s\n", taken.error().message.c_str());
+      std::_Exit(1);
+    }
+  }
   std::unique_lock lock(mutex_);
   for (;;) {
     changed_.wait(lock, [this] { return leaving_ || waiting_; });
@@ -66,7 +79,9 @@ void Lane::run() {
     const v1::WorkerEnvelope message = std::move(*waiting_);
     waiting_.reset();
     in_step_ = true;
+    auto retired = std::move(retired_);
     lock.unlock();
+    retired.reset();
     if (message.has_compile_job())
       job_->compile(message.compile_job());
     else

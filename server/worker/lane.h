@@ -10,8 +10,8 @@
 
 namespace metamer {
 
-/// The CPU lane: carries out the daemon's messages, one step of one job at a time, on a thread of
-/// its own, so that StopJob is heard in the middle of a step.
+/// The CPU lane or the GL lane: carries out the daemon's messages, one step of one job at a time,
+/// on a thread of its own, so that StopJob is heard in the middle of a step.
 class Lane {
  public:
   Lane(const WorkerOptions& options, Link& link, Work& work);
@@ -30,7 +30,8 @@ class Lane {
   Work& work_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::unique_ptr<Job> job_;                   ///< Replaced between steps only.
+  std::unique_ptr<Job> job_;      ///< Replaced between steps only.
+  std::unique_ptr<Job> retired_;  ///< The one before, which ends where its GL context is.
   std::optional<v1::WorkerEnvelope> waiting_;  ///< The next step.
   bool in_step_ = false;
   bool leaving_ = false;

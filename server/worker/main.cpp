@@ -6,10 +6,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <string>
 #include <thread>
 
-#include "server/methods/method.h"
+#include "server/gl/device.h"
 #include "server/worker/capabilities.h"
 #include "server/worker/heartbeat.h"
 #include "server/worker/lane.h"
@@ -21,23 +22,44 @@ constexpr int link_descriptor = 3;
 constexpr int film_descriptor = 4;
 
 constexpr const char* usage =
-    "usage: metamer-worker --store DIR --threads N\n"
+    "usage: metamer-worker --store DIR --threads N [--gl-device auto|reference|N]\n"
     "Started by metamerd; descriptor 3 is its socket, descriptor 4 the picture's memory.\n";
 
 /// Exit codes: 0 the daemon is gone, 1 this machine or this daemon can't run it, 2 usage.
-int run(const metamer::WorkerOptions& options) {
+/// Opens the GL device, with all files that its driver wants, and frees it for the lane's thread.
+std::unique_ptr<metamer::gl::Device> open_device(const std::string& which, metamer::Link& link) {
+  setenv("MESA_SHADER_CACHE_DISABLE", "1", 0);  // Programs are kept in memory; no files in $HOME.
+  auto device = metamer::gl::Device::create(which);
+  if (!device) {
+    metamer::v1::WorkerEnvelope failed;
+    failed.mutable_failed()->set_kind(metamer::v1::Failed::SERVER);
+    failed.mutable_failed()->set_reason(device.error().message);
+    link.send(failed);
+    return nullptr;
+  }
+  device->context().release();
+  return std::make_unique<metamer::gl::Device>(std::move(*device));
+}
+
+int run(metamer::WorkerOptions options, const std::string& gl_device) {
 #ifdef __AVX2__
   if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) {
     std::fprintf(stderr, "metamer-worker: this processor lacks AVX2 and FMA\n");
     return 1;
   }
 #endif
-  const std::string sandbox = metamer::enter_sandbox(options.store);
   metamer::Link link(link_descriptor);
+  std::unique_ptr<metamer::gl::Device> device;
+  if (!gl_device.empty()) {
+    device = open_device(gl_device, link);
+    if (!device) return 1;
+    options.gl = device.get();
+  }
+  const std::string sandbox = metamer::enter_sandbox(options.store);
   metamer::Work work = 0;
 
   metamer::v1::WorkerEnvelope ready;
-  *ready.mutable_ready()->mutable_capabilities() = metamer::capabilities(options.threads);
+  *ready.mutable_ready()->mutable_capabilities() = metamer::capabilities(options);
   ready.mutable_ready()->set_sandbox(sandbox);
   if (!link.send(ready)) return 0;
 
@@ -55,9 +77,12 @@ int run(const metamer::WorkerOptions& options) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  metamer::WorkerOptions options{.store = {}, .threads = 0, .film_descriptor = film_descriptor};
+  metamer::WorkerOptions options{
+      .store = {}, .threads = 0, .gl = nullptr, .film_descriptor = film_descriptor};
+  std::string gl_device;
   for (int i = 1; i + 1 < count; i += 2) {
     if (std::strcmp(arguments[i], "--store") == 0) options.store = arguments[i + 1];
+    if (std::strcmp(arguments[i], "--gl-device") == 0) gl_device = arguments[i + 1];
     if (std::strcmp(arguments[i], "--threads") == 0)
       options.threads = static_cast<unsigned>(std::strtoul(arguments[i + 1], nullptr, 10));
   }
@@ -70,5 +95,5 @@ int main(int count, char** arguments) {
   // Without a daemon there is nothing to save and nobody to wait for: leave without the libraries'
   // farewells. (A leak checker would hang in its own: the sandbox keeps it from looking at
   // threads.)
-  std::_Exit(run(options));
+  std::_Exit(run(options, gl_device));
 }

@@ -77,7 +77,8 @@ std::string body(const Row& row) {
 }
 
 std::string source(const Row& row) {
-  return gl::model_source([](const Entry&) { return true; }) + "layout(local_size_x = " + std::to_string(group_size) +
+  return gl::model_source([](const Entry&) { return true; }) +
+         "layout(local_size_x = " + std::to_string(group_size) +
          ") in;\n"
          "layout(std430, binding = 0) readonly buffer Inputs { float input_of[]; };\n"
          "layout(std430, binding = 1) writeonly buffer Outputs { float output_of[]; };\n"

@@ -116,7 +116,7 @@ Result<Pictures::Xyz> Pictures::by_gl(const v1::Method& method, ProgramCache& ca
   const auto prepared = make_method(own, scene_);
   auto geometry = Geometry::upload(scene_, never);
   if (!geometry) return tl::unexpected(geometry.error());
-  auto renderer = Renderer::create(scene_, *geometry, own, *prepared, cache);
+  auto renderer = Renderer::create(scene_, *geometry, own, *prepared, cache, false);
   if (!renderer) return tl::unexpected(renderer.error());
   Xyz xyz(std::size_t{width()} * height() * 3);
   std::atomic<std::uint64_t> work = 0;

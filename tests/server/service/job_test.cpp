@@ -200,16 +200,16 @@ TEST_F(JobTest, TheQueueIsFirstComeFirstServedAndARetriedJobComesBeforeAll) {
   const auto first = queue.submit({}, AssetHolds(*store_)).value();
   const auto second = queue.submit({}, AssetHolds(*store_)).value();
   const auto third = queue.submit({}, AssetHolds(*store_)).value();
-  ASSERT_EQ(queue.next(), first);
+  ASSERT_EQ(queue.next(v1::CPU), first);
   first->start();
   ASSERT_TRUE(queue.pause(*second));
   ASSERT_TRUE(queue.resume(second));
   first->retry("lost");
   queue.put_first(first);
-  EXPECT_EQ(queue.next(), first);
-  EXPECT_EQ(queue.next(), third);
-  EXPECT_EQ(queue.next(), second);
-  EXPECT_EQ(queue.next(), nullptr);
+  EXPECT_EQ(queue.next(v1::CPU), first);
+  EXPECT_EQ(queue.next(v1::CPU), third);
+  EXPECT_EQ(queue.next(v1::CPU), second);
+  EXPECT_EQ(queue.next(v1::CPU), nullptr);
 }
 
 TEST_F(JobTest, AFullQueueRefusesUntilAJobEnds) {
@@ -229,7 +229,7 @@ TEST_F(JobTest, EndedJobsAreDroppedOldestFirstWhenTheirPicturesTakeTooMuch) {
   JobQueue queue(13'000);  // two pictures of 32 × 16 × 12 bytes
   for (std::uint64_t id = 1; id <= 3; ++id) {
     queue.submit({}, AssetHolds(*store_)).value();
-    const auto job = queue.next();
+    const auto job = queue.next(v1::CPU);
     job->start();
     ASSERT_TRUE(job->plan(plan(32, 16, 16)));
     ASSERT_TRUE(job->make_film());
@@ -247,7 +247,7 @@ TEST_F(JobTest, ALongListStaysAControlMessage) {
   submit.set_name(std::string(max_job_name, 'x'));
   for (std::size_t i = 0; i < max_ended_jobs + 10; ++i) {
     queue.submit(submit, AssetHolds(*store_)).value();
-    const auto job = queue.next();
+    const auto job = queue.next(v1::CPU);
     v1::Failed failed;
     failed.set_reason(std::string(5000, 'x'));
     job->fail(failed);

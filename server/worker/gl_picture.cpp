@@ -1,0 +1,56 @@
+#include "server/worker/gl_picture.h"
+
+#include <chrono>
+
+#include "server/worker/regions.h"
+
+namespace metamer {
+
+using Clock = std::chrono::steady_clock;
+
+Result<GlPicture> GlPicture::make(gl::Device& device, const std::string& key,
+                                  const RenderScene& scene, const v1::Plan& plan,
+                                  const Method& method, const std::atomic<bool>& stopped) {
+  const auto start = Clock::now();
+  auto geometry = device.geometry(key, scene, stopped);
+  if (!geometry) return tl::unexpected(geometry.error());
+  const auto uploaded = Clock::now();
+  auto renderer = gl::Renderer::create(scene, **geometry, plan, method, device.programs(),
+                                       device.capabilities().timers());
+  if (!renderer) return tl::unexpected(renderer.error());
+  GlPicture picture(std::move(*geometry), std::move(*renderer));
+  picture.spp_ = plan.spp();
+  picture.timers_ = device.capabilities().timers();
+  picture.upload_seconds_ = std::chrono::duration<double>(uploaded - start).count();
+  picture.program_seconds_ = std::chrono::duration<double>(Clock::now() - uploaded).count();
+  return picture;
+}
+
+Result<void> GlPicture::render(const v1::RenderTiles& message, const Film& film,
+                               const std::atomic<bool>& stopped, std::atomic<std::uint64_t>& work,
+                               const TileDone& tile_done) {
+  for (const Region& region : regions_of(message, gl::Renderer::max_side)) {
+    if (auto done = renderer_.render(region.rect, film, stopped, work); !done) return done;
+    if (stopped) return {};
+    for (const v1::TileRect& tile : region.tiles)
+      tile_done(tile, std::uint64_t{tile.width()} * tile.height() * spp_);
+  }
+  return {};
+}
+
+void GlPicture::add_preparation(v1::Timing& timing) const {
+  timing.set_acceleration(timing.acceleration() + upload_seconds_);
+  timing.set_prepare(timing.prepare() + program_seconds_);
+}
+
+void GlPicture::set_passes(v1::Timing& timing) const {
+  timing.clear_pass();
+  for (const gl::Pass pass : {gl::Pass::visibility, gl::Pass::shading, gl::Pass::color}) {
+    v1::PassTime& time = *timing.add_pass();
+    time.set_name(gl::name_of(pass));
+    time.set_seconds(renderer_.clock().seconds(pass));
+    time.set_gpu(timers_);
+  }
+}
+
+}  // namespace metamer

@@ -1,0 +1,102 @@
+// The GL backend as a user meets it.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include "running_job.h"
+#include "scenes.h"
+
+namespace metamer::test {
+namespace {
+
+TEST(Gl, RendersWhatTheCpuRenders) {
+  const Daemon daemon;
+  Folder folder;
+  const std::string scene = folder.write("scene.txtpb", small_scene());
+  for (const std::string method : {"point", "exact"}) {
+    const std::string cpu = folder / ("cpu-" + method + ".exr");
+    const std::string gl = folder / ("gl-" + method + ".exr");
+    const Ended first = daemon.metamer(
+        {"render", scene, "--method", method, "--depth", "0", "-o", cpu, "--exr", "xyz"});
+    ASSERT_EQ(first.code, 0) << first.err;
+    const Json document = daemon.json(
+        {"render", scene, "--method", method, "--backend", "gl", "-o", gl, "--exr", "xyz"});
+    EXPECT_EQ(document["plan"]["backend"], "gl");
+    EXPECT_EQ(document["timing"]["pass"].size(), 3u);
+    // Edges may fall to either side; what lies between them is the same.
+    const Json compared = parse_document(metamer({"compare", cpu, gl, "--json"}).out)["difference"];
+    EXPECT_LT(compared["median"].get<double>(), 0.02) << compared.dump(2);
+    EXPECT_LT(compared["percentile_95"].get<double>(), 0.5) << compared.dump(2);
+  }
+}
+
+TEST(Gl, SaysThatMirrorsAreLeftOut) {
+  const Daemon daemon;
+  Folder folder;
+  const std::string scene = folder.write("scene.txtpb", small_scene());
+  const Ended ended = daemon.metamer({"render", scene, "--backend", "gl", "-o", folder / "a.exr"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_NE(ended.err.find("the gl backend has no mirrors"), std::string::npos) << ended.err;
+}
+
+TEST(Gl, KeepsNoFactors) {
+  const Daemon daemon;
+  Folder folder;
+  const std::string scene = folder.write("scene.txtpb", small_scene());
+  const Ended ended = daemon.metamer(
+      {"render", scene, "--backend", "gl", "--keep-factors", "-o", folder / "a.exr"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_NE(ended.err.find("the gl backend keeps no factors"), std::string::npos) << ended.err;
+}
+
+TEST(Gl, InfoNamesTheDeviceAndWhatWasFoundOfIt) {
+  const Daemon daemon;
+  const Json info = daemon.json({"info"})["info"];
+  EXPECT_EQ(info["capabilities"]["backend"], Json({"cpu", "gl"}));
+  const Json gl = info["capabilities"]["gl"];
+  EXPECT_FALSE(gl["renderer"].get<std::string>().empty());
+  EXPECT_EQ(info["worker"].size(), 2u);
+  EXPECT_EQ(info["worker"][1]["backend"], "gl");
+  const Ended ended = daemon.metamer({"info"});
+  EXPECT_NE(ended.out.find(gl["renderer"].get<std::string>()), std::string::npos) << ended.out;
+}
+
+TEST(Gl, AMissingDeviceFailsItsJobsAndNoOthers) {
+  const Daemon daemon(Daemon::Listens::unix_socket, {"--gl-device", "15"});
+  Folder folder;
+  const std::string scene = folder.write("scene.txtpb", small_scene());
+  for (int turn = 0; turn < 2; ++turn) {
+    const Ended failed =
+        daemon.metamer({"render", scene, "--backend", "gl", "-o", folder / "a.exr"});
+    EXPECT_EQ(failed.code, 4) << failed.err;
+    EXPECT_NE(failed.err.find("there is no GL device 15"), std::string::npos) << failed.err;
+  }
+  EXPECT_EQ(daemon.metamer({"render", scene, "-o", folder / "b.exr"}).code, 0);
+  EXPECT_EQ(daemon.json({"info"})["info"]["capabilities"]["backend"], Json({"cpu"}));
+}
+
+TEST(Gl, BothBackendsRenderAtTheSameTime) {
+  const Daemon daemon;
+  Folder folder;
+  const std::string endless = folder.write("endless.txtpb", endless_scene());
+  const std::string scene = folder.write("scene.txtpb", small_scene());
+  const std::string job = daemon.submit(endless);
+  EXPECT_EQ(daemon.metamer({"render", scene, "--backend", "gl", "-o", folder / "a.exr"}).code, 0);
+  EXPECT_EQ(daemon.job_state(job), "running");
+}
+
+TEST(Gl, AKilledWorkerIsReplacedAndItsJobDoneAgain) {
+  const Daemon daemon;
+  Folder folder;
+  const std::string scene = folder.write("scene.txtpb", long_scene());
+  const std::string job = daemon.submit(scene, {"--backend", "gl"});
+  const auto worker = [&] { return daemon.json({"info"})["info"]["worker"][1]; };
+  while (worker()["state"] != "busy") {
+  }
+  kill(worker()["pid"].get<pid_t>(), SIGKILL);
+  const Ended fetched = daemon.metamer({"fetch", job, "-o", folder / "a.exr"});
+  EXPECT_EQ(fetched.code, 0) << fetched.err;
+  EXPECT_GE(worker()["starts"].get<int>(), 2);
+}
+
+}  // namespace
+}  // namespace metamer::test
