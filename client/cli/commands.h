@@ -32,6 +32,7 @@ ExitCode convert_spectra(const ConvertOptions& options);
 ExitCode find_metamer(const MetamerOptions& options);
 
 ExitCode bench_models(const BenchOptions& options);
+ExitCode bench_methods(const BenchOptions& options);
 ExitCode tradeoff(const TradeoffOptions& options);
 ExitCode compare(const CompareOptions& options);
 

@@ -133,11 +133,16 @@ void add_bench_commands(CLI::App& app, AllOptions& all, Action& chosen) {
   CLI::App& models =
       add_command(*bench, "models", "the time of one scene with each model, next to Blinn–Phong's",
                   chosen, [&] { return bench_models(all.bench); });
-  models.add_option("--rounds", all.bench.rounds, "renderings of each model")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  add_overrides(models, all.bench.overrides);
-  add_common(models, all.bench.common);
+  CLI::App& methods =
+      add_command(*bench, "methods", "the time of one scene by each method, next to rgb's", chosen,
+                  [&] { return bench_methods(all.bench); });
+  for (CLI::App* command : {&models, &methods}) {
+    command->add_option("--rounds", all.bench.rounds, "renderings of each")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    add_overrides(*command, all.bench.overrides);
+    add_common(*command, all.bench.common);
+  }
 }
 
 /// Also where the words make no sense otherwise.

@@ -28,6 +28,7 @@ struct Overrides {
   std::optional<std::string> samples;      ///< "400:700:5"
   std::optional<std::string> wavelengths;  ///< "400,436,546,700"
   std::optional<std::uint32_t> fitted;     ///< Of point: so many wavelengths for the scene.
+  bool multi_pass = false;                 ///< Of point, by the gl backend.
   std::optional<std::string> size;         ///< "640x480"
   std::optional<std::string> observer;     ///< "cie-1931-2deg", "cie-1964-10deg"
   std::optional<std::string> shading;      ///< "phong", "constant", "gouraud", "quadratic"

@@ -100,6 +100,13 @@ Result<void> apply_method(const Overrides& overrides, v1::Settings& settings,
     point->set_fitted(*overrides.fitted);
     replaced.push_back({"settings.method", "--fitted"});
   }
+  if (overrides.multi_pass) {
+    if (settings.method().method_case() != v1::Method::METHOD_NOT_SET &&
+        !settings.method().has_point())
+      return problem("--multi-pass is for --method point");
+    settings.mutable_method()->mutable_point()->set_multi_pass(true);
+    replaced.push_back({"settings.method.point.multi_pass", "--multi-pass"});
+  }
   return {};
 }
 

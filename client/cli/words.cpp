@@ -41,6 +41,10 @@ void add_overrides(CLI::App& command, Overrides& options) {
   add("--samples", options.samples, "point at FROM:TO:STEP nm, such as 400:700:5");
   add("--wavelengths", options.wavelengths, "point at these nm, such as 400,436,546,700");
   add("--fitted", options.fitted, "point at so many nm, 1 to 64, that are chosen for the scene");
+  command
+      .add_flag("--multi-pass", options.multi_pass,
+                "point by the gl backend, drawing everything anew for each four wavelengths")
+      ->group(group);
   add("--bases", options.bases, "linear with so many basis functions, 1 to 16");
   add("--tolerance", options.tolerance,
       "auto: the cheapest method whose ΔE00 against the 1 nm reference stays below this");

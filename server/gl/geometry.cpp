@@ -1,5 +1,7 @@
 #include "server/gl/geometry.h"
 
+#include <epoxy/gl.h>
+
 #include <bit>
 #include <limits>
 
@@ -174,6 +176,20 @@ void Geometry::bind() const {
   normals_.bind_storage(9);
   tangents_.bind_storage(10);
   owners_.bind_storage(11);
+}
+
+void Geometry::draw(const Program& triangles, const Program& spheres) const {
+  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  if (triangle_count_ > 0) {
+    triangles.use();
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, corners_.name());
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangle_count_), GL_UNSIGNED_INT,
+                   nullptr);
+  }
+  if (sphere_count_ > 0) {
+    spheres.use();
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 36, static_cast<GLsizei>(sphere_count_));
+  }
 }
 
 }  // namespace metamer::gl

@@ -3,6 +3,7 @@
 #include <atomic>
 
 #include "server/gl/buffer.h"
+#include "server/gl/program.h"
 #include "server/scene/render_scene.h"
 
 namespace metamer::gl {
@@ -16,9 +17,8 @@ class Geometry {
   static Result<Geometry> upload(const RenderScene& scene, const std::atomic<bool>& cancelled);
 
   void bind() const;
-  unsigned indices() const { return corners_.name(); }
-  std::uint32_t triangle_count() const { return triangle_count_; }
-  std::uint32_t sphere_count() const { return sphere_count_; }
+  /// All triangles by one program and all spheres by the other, into the current framebuffer.
+  void draw(const Program& triangles, const Program& spheres) const;
   std::uint32_t node_count() const { return node_count_; }
   bool has_tangents() const { return has_tangents_; }
 

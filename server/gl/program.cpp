@@ -106,4 +106,10 @@ void Program::set(const char* uniform, const std::array<std::array<float, 4>, 3>
   glProgramUniformMatrix4x3fv(name_, place(uniform), 1, GL_TRUE, rows[0].data());
 }
 
+void dispatch_over(const Rect& region) {
+  const auto groups = [](std::uint32_t side) { return (side + 7) / 8; };
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+  glDispatchCompute(groups(region.width), groups(region.height), 1);
+}
+
 }  // namespace metamer::gl

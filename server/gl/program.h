@@ -5,6 +5,7 @@
 #include <string>
 
 #include "common/problem.h"
+#include "server/film/film.h"
 
 namespace metamer::gl {
 
@@ -21,6 +22,7 @@ class Program {
   Program& operator=(Program&& other) noexcept;
   ~Program();
 
+  explicit operator bool() const { return name_ != 0; }
   void use() const;
   void set(const char* uniform, bool value) const;
   void set(const char* uniform, std::uint32_t value) const;
@@ -36,5 +38,9 @@ class Program {
 
   unsigned name_ = 0;
 };
+
+/// Runs the compute shader in use, of groups of 8 × 8, over a region's pixels, after all that was
+/// drawn and computed before.
+void dispatch_over(const Rect& region);
 
 }  // namespace metamer::gl

@@ -9,9 +9,11 @@
 
 namespace metamer::gl {
 
-/// What a renderer runs: two for the rasteriser, two for each light.
+/// What a renderer runs.
 struct Programs {
-  Program triangles, spheres, shade, finish;
+  Program triangles, spheres;                     ///< Names of what is seen.
+  Program shade, finish;                          ///< For each light.
+  Program pass_triangles, pass_spheres, combine;  ///< Of MultiPass, where it is asked for.
 };
 
 /// Compiled programs, for all jobs of a context. Compiling takes longer than many a picture, and
@@ -19,11 +21,11 @@ struct Programs {
 class ProgramCache {
  public:
   /// For the scene's models and no others. Errors: the compiler's words.
-  Result<std::shared_ptr<const Programs>> get(const RenderScene& scene);
+  Result<std::shared_ptr<const Programs>> get(const RenderScene& scene, bool multi_pass);
 
  private:
   static constexpr std::size_t most = 32;                         ///< Then it begins anew.
-  std::map<std::string, std::shared_ptr<const Programs>> known_;  ///< By the models' source.
+  std::map<std::string, std::shared_ptr<const Programs>> known_;  ///< By what they depend on.
 };
 
 }  // namespace metamer::gl

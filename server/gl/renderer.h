@@ -5,9 +5,12 @@
 
 #include "metamer/v1/plan.pb.h"
 #include "server/film/film.h"
+#include "server/gl/camera.h"
 #include "server/gl/geometry.h"
+#include "server/gl/multi_pass.h"
 #include "server/gl/pass_clock.h"
 #include "server/gl/programs.h"
+#include "server/gl/target.h"
 #include "server/methods/method.h"
 
 namespace metamer::gl {
@@ -36,24 +39,22 @@ class Renderer {
   const PassClock& clock() const { return *clock_; }
 
  private:
-  /// A texture of names and its depth, of one size.
-  class Target;
-
   Renderer(const RenderScene& scene, const Geometry& geometry, const v1::Plan& plan);
-  Result<void> upload(const RenderScene& scene, const Method& method);
+  Result<void> upload(const DirectTables& tables);
   Result<void> resize(const Rect& region);
-  void set_camera(const Program& program, const Rect& region, float x, float y) const;
-  void set_light(const Program& program, std::uint32_t light) const;
-  void draw(const Rect& region, float x, float y) const;
-  void dispatch(const Rect& region) const;
+  void bind() const;
+  void for_each_light(const Program& program, const Rect& region) const;
+  Result<void> add_sample(const RegionView& view, SamplePoint place);
+  void read_back(const Rect& region, const Film& film) const;
 
   const RenderScene& scene_;
   const Geometry& geometry_;
   std::uint32_t width_, height_, spp_;
   std::shared_ptr<const Programs> programs_;
-  Buffer materials_, values_, sensors_, weights_, colors_;
+  Buffer materials_, values_, sensors_, lights_, weights_, colors_;
   std::uint32_t value_size_ = 0, row_stride_ = 0, light_stride_ = 0, sensor_stride_ = 0;
-  std::shared_ptr<Target> target_;
+  Target target_;
+  std::unique_ptr<MultiPass> multi_pass_;  ///< Where the plan asks for it.
   std::unique_ptr<PassClock> clock_;
 };
 

@@ -143,7 +143,9 @@ DirectTables BandedMethod::direct_tables() const {
           .light_stride = 0,
           .sensor_stride = 3 * size,
           .values = tables_.rows.packed(),
-          .sensors = sensors.packed()};
+          .sensors = sensors.packed(),
+          .lights = tables_.lights.packed(),
+          .observer = tables_.xyz.packed()};
 }
 
 }  // namespace metamer

@@ -19,6 +19,9 @@ struct DirectTables {
   std::uint32_t light_stride = 0;   ///< and from a light's to the next light's; 0: shared.
   std::uint32_t sensor_stride = 0;  ///< From a light's three sensors to the next; 0: shared.
   std::vector<float> values, sensors;
+  /// Of methods with bands, what the sensors are made of: a vector of each light's values, and the
+  /// three of the observer. Empty where a method has none.
+  std::vector<float> lights, observer;
 };
 
 }  // namespace metamer

@@ -98,7 +98,9 @@ class ExactMethod : public Method {
                         .light_stride = 1,
                         .sensor_stride = 0,
                         .values = std::vector<float>(direct_.size() / 3 * 4),
-                        .sensors = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
+                        .sensors = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0},
+                        .lights = {},
+                        .observer = {}};
     for (std::size_t i = 0; i < direct_.size(); ++i) tables.values[i / 3 * 4 + i % 3] = direct_[i];
     return tables;
   }

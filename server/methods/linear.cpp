@@ -82,7 +82,9 @@ class LinearMethod : public Method {
             .light_stride = size,
             .sensor_stride = 0,
             .values = tables_.reflected.packed(),
-            .sensors = tables_.xyz.packed()};
+            .sensors = tables_.xyz.packed(),
+            .lights = {},
+            .observer = {}};
   }
 
  private:

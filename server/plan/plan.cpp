@@ -171,6 +171,11 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
       notice_gaps(constants.k, scene.constants_fields[i], Outside::hold, wavelengths, plan);
   }
   if (gl) notice_mirrors(scene, settings, plan);
+  if (!gl && settings.method().point().multi_pass()) {
+    v1::Notice* notice = plan.add_notice();
+    notice->set_field("settings.method.point.multi_pass");
+    notice->set_message("has no effect: the cpu backend has no passes");
+  }
   notice_objects(scene, plan);
   notice_short_end(settings.method(), wavelengths, plan);
   notice_missed_light(scene, settings, wavelengths, plan);

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "client/cli/bench_scene.h"
+#include "client/cli/bench_cases.h"
 #include "client/cli/commands.h"
 #include "client/cli/connection.h"
 #include "client/cli/overrides.h"
@@ -59,10 +59,10 @@ std::vector<double> relative(const Measured& one, const Measured& base) {
 void print_table(const std::vector<BenchCase>& cases, const std::vector<Measured>& measured,
                  Report& report) {
   std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(), "%-32s %10s %8s %8s", "model", "relative", "models",
+  std::snprintf(text.data(), text.size(), "%-32s %10s %8s %8s", "case", "relative", "models",
                 "seconds");
   report.line(text.data());
-  Json& rows = report.document()["models"];
+  Json& rows = report.document()["cases"];
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const double ratio = median(relative(measured[i], measured[0]));
     const double share = median(measured[i].models), seconds = median(measured[i].seconds);
@@ -96,8 +96,8 @@ asio::awaitable<ExitCode> bench_on(Session& session, const std::vector<BenchCase
 
 /// The cases with the options in place of their settings. Empty: they make no sense, and it is
 /// said.
-std::vector<BenchCase> cases_with(const Overrides& overrides, Report& report) {
-  std::vector<BenchCase> cases = model_cases();
+std::vector<BenchCase> cases_with(const Overrides& overrides, std::vector<BenchCase> cases,
+                                  Report& report) {
   for (BenchCase& one : cases) {
     const auto replaced = apply(overrides, one.scene);
     if (!replaced) {
@@ -111,15 +111,21 @@ std::vector<BenchCase> cases_with(const Overrides& overrides, Report& report) {
   return cases;
 }
 
-}  // namespace
-
-ExitCode bench_models(const BenchOptions& options) {
+ExitCode bench(const BenchOptions& options, std::vector<BenchCase> all) {
   Report report(options.common.json);
-  const std::vector<BenchCase> cases = cases_with(options.overrides, report);
+  const std::vector<BenchCase> cases = cases_with(options.overrides, std::move(all), report);
   if (cases.empty()) return report.finish(ExitCode::bad_input);
   return report.finish(with_any_server(options.common, report, [&](Session& session, Interrupts&) {
     return bench_on(session, cases, options, report);
   }));
+}
+
+}  // namespace
+
+ExitCode bench_models(const BenchOptions& options) { return bench(options, model_cases()); }
+
+ExitCode bench_methods(const BenchOptions& options) {
+  return bench(options, method_cases(options.overrides.backend == "gl"));
 }
 
 }  // namespace metamer::cli

@@ -1,4 +1,4 @@
-#include "client/cli/bench_scene.h"
+#include "client/cli/bench_cases.h"
 
 #include <google/protobuf/descriptor.h>
 
@@ -102,16 +102,39 @@ std::vector<BenchCase> model_cases() {
   return cases;
 }
 
+std::vector<BenchCase> method_cases(bool multi_pass) {
+  const auto add = [](std::vector<BenchCase>& to, std::string name) -> v1::Method& {
+    to.push_back(case_of(models::entry(models::Model::blinn_phong)));
+    to.back().name = std::move(name);
+    v1::Method& method = *to.back().scene.mutable_settings()->mutable_method();
+    method.Clear();
+    return method;
+  };
+  std::vector<BenchCase> cases;
+  add(cases, "rgb").mutable_rgb();
+  for (const bool passes : {false, true}) {
+    if (passes && !multi_pass) continue;
+    for (const auto& [count, step] : {std::pair{7, 50.0}, {16, 20.0}, {61, 5.0}, {301, 1.0}}) {
+      v1::Point& point =
+          *add(cases, "point " + std::to_string(count) + (passes ? ", multi-pass" : ""))
+               .mutable_point();
+      point.set_from(400);
+      point.set_to(700);
+      point.set_step(step);
+      point.set_multi_pass(passes);
+    }
+  }
+  add(cases, "point fitted 8").mutable_point()->set_fitted(8);
+  add(cases, "prefilter").mutable_prefilter();
+  add(cases, "linear 4").mutable_linear()->set_bases(4);
+  add(cases, "exact").mutable_exact();
+  return cases;
+}
+
 std::string bench_scene_text(const v1::Scene& scene) {
   const v1::Settings settings = with_defaults(scene.settings());
-  const std::string method =
-      !settings.method().has_point()
-          ? v1::Method::descriptor()->FindFieldByNumber(settings.method().method_case())->name()
-          : "point at " +
-                std::to_string(point_wavelengths(settings.method().point())->nm().size()) +
-                " wavelengths";
   return std::to_string(side * side) + " spheres, 2 lights, " + std::to_string(settings.depth()) +
-         " mirror reflections, " + method + ", " + std::to_string(settings.width()) + "x" +
+         " mirror reflections, " + std::to_string(settings.width()) + "x" +
          std::to_string(settings.height()) + ", " + std::to_string(settings.spp()) +
          " samples per pixel";
 }

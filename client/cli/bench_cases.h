@@ -7,7 +7,7 @@
 
 namespace metamer::cli {
 
-/// One row of `metamer bench models`.
+/// One row of `metamer bench`.
 struct BenchCase {
   std::string name;
   v1::Scene scene;
@@ -16,6 +16,9 @@ struct BenchCase {
 /// The same scene with each model of models.def, Blinn–Phong first; then the models with a Fresnel
 /// term with an exact one, and Lambert with each diffuse term.
 std::vector<BenchCase> model_cases();
+
+/// The same scene by each method, rgb first; with `multi_pass` those of point also so.
+std::vector<BenchCase> method_cases(bool multi_pass);
 
 /// What such a scene is, in words.
 std::string bench_scene_text(const v1::Scene& scene);

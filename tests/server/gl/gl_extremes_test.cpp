@@ -1,0 +1,197 @@
+// What a GPU is given at the ends: shapes without area, cameras inside things, pictures of one
+// pixel and of many, more wavelengths than a uniform block holds, and one scene after the other.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+
+#include "common/scene/settings.h"
+#include "server/gl/device.h"
+#include "server/gl/renderer.h"
+#include "server/plan/plan.h"
+#include "server/scene/camera_space.h"
+#include "tests/server/render/test_scene.h"
+
+namespace metamer::gl {
+namespace {
+
+const std::atomic<bool> no_stop = false;
+
+class GlExtremes : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    setenv("MESA_SHADER_CACHE_DISABLE", "1", 1);
+    auto made = Device::create("auto");
+    ASSERT_TRUE(made) << made.error().message << ": see deploy/dependencies";
+    device_ = std::make_unique<Device>(std::move(*made));
+  }
+  static void TearDownTestSuite() { device_.reset(); }
+
+  /// A region of the scene's picture, all of it where none is given.
+  static std::vector<float> render(const std::string& text, std::optional<Rect> region = {}) {
+    return render(to_camera_space(test::compile_text(text)), text, region);
+  }
+  static std::vector<float> render(const RenderScene& scene, const std::string& text,
+                                   std::optional<Rect> region = {}) {
+    const v1::Plan plan =
+        make_plan(scene, with_defaults(test::parse_scene(text).settings()), {.threads = 1});
+    const auto method = make_method(plan, scene);
+    const auto geometry = device_->geometry(text, scene, no_stop);
+    EXPECT_TRUE(geometry) << geometry.error().message;
+    auto renderer = Renderer::create(scene, **geometry, plan, *method, device_->programs(), false);
+    EXPECT_TRUE(renderer) << renderer.error().message;
+    std::vector<float> xyz(std::size_t{plan.width()} * plan.height() * 3, -1.0f);
+    std::atomic<std::uint64_t> work = 0;
+    const auto done = renderer->render(region.value_or(Rect{0, 0, plan.width(), plan.height()}),
+                                       {xyz.data(), plan.width(), plan.height()}, no_stop, work);
+    EXPECT_TRUE(done) << done.error().message;
+    return xyz;
+  }
+
+  /// As far as the CPU's picture goes, per value; both without mirrors.
+  static void expect_as_cpu(const std::string& text) {
+    const test::Rendered cpu = test::render(text);
+    const std::vector<float> gl = render(text);
+    ASSERT_EQ(gl.size(), cpu.xyz.size());
+    float brightest = 0;
+    for (const float value : cpu.xyz) brightest = std::max(brightest, value);
+    EXPECT_GT(brightest, 0);
+    std::size_t off = 0;
+    for (std::size_t i = 0; i < gl.size(); ++i) {
+      ASSERT_TRUE(std::isfinite(gl[i])) << i;
+      off += std::abs(gl[i] - cpu.xyz[i]) > 1e-4f * brightest;
+    }
+    // Edges may fall to either side.
+    EXPECT_LE(off, gl.size() / 50 + 3);
+  }
+
+  static inline std::unique_ptr<Device> device_;
+};
+
+std::string scene(const std::string& settings, const std::string& more,
+                  const std::string& camera = "eye { y: 1 z: 5 } target {}") {
+  return "camera { " + camera + " } settings { " + settings +
+         " backend: GL depth: 0 } light { name: \"a\" position { x: 1 y: 3 z: 4 } spectrum { "
+         "standard: "
+         "\"F11\" } } material { name: \"m\" diffuse { constant: 0.5 } blinn_phong {} } object { "
+         "name: "
+         "\"floor\" material: \"m\" quad { corner { x: -9 y: -1 z: 9 } u { x: 18 } v { z: -18 } } "
+         "} " +
+         more;
+}
+
+const std::string ball =
+    "object { name: \"ball\" material: \"m\" sphere { center {} radius: 0.8 } } ";
+
+TEST_F(GlExtremes, TrianglesWithoutAreaAreNotSeen) {
+  const std::string text = scene("width: 64 height: 48 spp: 4", ball);
+  RenderScene degenerate = to_camera_space(test::compile_text(text));
+  TriangleMesh& floor = degenerate.meshes.front();
+  floor.positions.push_back(floor.positions.front());  // a line: twice the same place
+  for (const std::array<std::uint32_t, 3>& corners :
+       {std::array<std::uint32_t, 3>{0, 0, 0}, {0, 1, 1}, {0, 4, 2}})
+    floor.triangles.insert(floor.triangles.begin(), corners);
+  const std::vector<float> with = render(degenerate, text + " # degenerate");
+  EXPECT_EQ(with, render(text));
+}
+
+TEST_F(GlExtremes, TheCameraMayBeInsideABall) {
+  expect_as_cpu(
+      scene("width: 64 height: 48 spp: 4",
+            "object { name: \"around\" material: \"m\" sphere { center {} radius: 20 } } " + ball));
+}
+
+TEST_F(GlExtremes, EllipsoidsAreWhatTheyAreOnTheCpu) {
+  expect_as_cpu(
+      scene("width: 64 height: 48 spp: 4",
+            "object { name: \"egg\" material: \"m\" sphere { center {} radius: 0.5 } transform { "
+            "scale { x: 2 y: 1 z: 0.5 } } transform { rotate { axis { z: 1 } degrees: 30 } } }"));
+}
+
+TEST_F(GlExtremes, APictureMayHaveOnePixel) {
+  expect_as_cpu(scene("width: 1 height: 1 spp: 16", ball));
+}
+
+TEST_F(GlExtremes, FourThousandWavelengthsAreSummedAsOnTheCpu) {
+  expect_as_cpu(
+      scene("width: 48 height: 32 spp: 1 method { point { from: 380 to: 780 step: 0.1 } }", ball));
+}
+
+TEST_F(GlExtremes, TheSameLightFarOutAndTiny) {
+  // A thousand kilometres away, and a micrometre large.
+  for (const auto& [shift, size] : {std::pair{1e6, 1.0}, {0.0, 1e-6}}) {
+    const auto number = [](double value) { return std::to_string(value); };
+    char text[1200];
+    std::snprintf(
+        text, sizeof text,
+        "camera { eye { x: %.17g y: %.17g z: %.17g } target { x: %.17g } } settings { width: 64 "
+        "height: 48 spp: 4 depth: 0 backend: GL } light { name: \"a\" direction { y: -1 z: -1 } "
+        "spectrum { standard: \"D65\" } } material { name: \"m\" diffuse { constant: 0.5 } } "
+        "object { name: \"b\" material: \"m\" sphere { center { x: %.17g } radius: %.17g } }",
+        shift, size, 5 * size, shift, shift, 0.8 * size);
+    SCOPED_TRACE(number(shift));
+    expect_as_cpu(text);
+  }
+}
+
+TEST_F(GlExtremes, RegionsMakeTheWholePictureBitByBit) {
+  const std::string text = scene("width: 100 height: 60 spp: 2", ball);
+  const std::vector<float> whole = render(text);
+  for (const Rect& region : {Rect{0, 0, 40, 24}, Rect{40, 0, 60, 24}, Rect{0, 24, 100, 36}}) {
+    const std::vector<float> part = render(text, region);
+    for (std::uint32_t y = region.y; y < region.y + region.height; ++y)
+      for (std::uint32_t i = 3 * region.x; i < 3 * (region.x + region.width); ++i)
+        ASSERT_EQ(part[y * 300 + i], whole[y * 300 + i]) << i / 3 << ' ' << y;
+  }
+}
+
+TEST_F(GlExtremes, ACornerOfTheLargestPictureIsItsOwnRegion) {
+  const std::string text = scene("width: 16384 height: 4096 spp: 1", ball);
+  const std::vector<float> part = render(text, Rect{16384 - 64, 4096 - 48, 64, 48});
+  EXPECT_GT(part[part.size() - 2], 0);  // the floor
+  EXPECT_EQ(part.front(), -1);          // not touched
+}
+
+TEST_F(GlExtremes, MultiplePassesGiveTheSameSums) {
+  const std::string point =
+      "width: 64 height: 48 spp: 4 method { point { from: 400 to: 700 step: 10 ";
+  const std::vector<float> one = render(scene(point + "} }", ball));
+  const std::vector<float> many = render(scene(point + "multi_pass: true } }", ball));
+  float brightest = 0;
+  for (const float value : one) brightest = std::max(brightest, value);
+  EXPECT_GT(brightest, 0);
+  for (std::size_t i = 0; i < one.size(); ++i) ASSERT_NEAR(one[i], many[i], 1e-5f * brightest) << i;
+}
+
+TEST_F(GlExtremes, WhatNoBufferHoldsIsAMessage) {
+  const auto buffer = Buffer::zeros("the vertices' positions", std::size_t{1} << 40);
+  ASSERT_FALSE(buffer);
+  EXPECT_EQ(
+      buffer.error().message.rfind("the vertices' positions take 1048576 MiB; this GL device's", 0),
+      0u)
+      << buffer.error().message;
+}
+
+std::size_t resident_bytes() {
+  std::ifstream in("/proc/self/statm");
+  std::size_t all = 0, resident = 0;
+  in >> all >> resident;
+  return resident * 4096;
+}
+
+TEST_F(GlExtremes, AThousandScenesLeaveNoMemoryBehind) {
+  const auto change = [&](int i) {
+    render(scene("width: 16 height: 8 spp: 1 method { rgb {} }",
+                 "object { name: \"ball\" material: \"m\" sphere { center { x: " +
+                     std::to_string(i * 1e-4) + " } radius: 0.8 } } "));
+  };
+  for (int i = 0; i < 100; ++i) change(i);
+  const std::size_t before = resident_bytes();
+  for (int i = 100; i < 1100; ++i) change(i);
+  EXPECT_LT(resident_bytes(), before + (4u << 20));
+}
+
+}  // namespace
+}  // namespace metamer::gl
