@@ -36,6 +36,7 @@ OIIO::ImageSpec make_spectral_spec(const SpectralImage& image, std::vector<std::
                        OIIO::TypeDesc::FLOAT);
   spec.channelnames = std::move(names);
   spec.attribute("compression", "zip");
+  spec.attribute("DateTime", "");  // else the time of writing: the same picture in other bytes
   spec.attribute("spectralLayoutVersion", "1.0");
   if (!image.reflectance) spec.attribute("emissiveUnits", radiance_units);
   spec.attribute("EV", 0.0F);

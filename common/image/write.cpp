@@ -67,6 +67,7 @@ OIIO::ImageSpec make_spec(const Image& image, bool png, bool xyz, const Developi
     add_png_space(developing, spec);
   } else {
     spec.attribute("compression", "zip");
+    spec.attribute("DateTime", "");  // else the time of writing: the same picture in other bytes
     if (!xyz) add_exr_space(developing.space, spec);
   }
   for (const auto& [name, text] : metadata) spec.attribute(name, text);

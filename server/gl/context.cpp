@@ -90,14 +90,23 @@ Result<Context> Context::create_on(void* device) {
 
   // Ask for GL 4.5 core without any surface; the context ends with `result` from here on.
   if (!eglBindAPI(EGL_OPENGL_API)) return egl_problem("eglBindAPI");
+  // A driver that can't say when its GPU was reset has the shorter list.
   constexpr EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION,
                                4,
                                EGL_CONTEXT_MINOR_VERSION,
                                5,
                                EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                               EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
+                               EGL_LOSE_CONTEXT_ON_RESET,
                                EGL_NONE};
-  const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted);
+  EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted);
+  if (context == EGL_NO_CONTEXT) {
+    std::array<EGLint, 7> less{};
+    std::copy_n(wanted, 6, less.begin());
+    less.back() = EGL_NONE;
+    context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, less.data());
+  }
   if (context == EGL_NO_CONTEXT) return egl_problem("eglCreateContext for GL 4.5");
   Context result(display, context);
   if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
@@ -128,6 +137,13 @@ Context::~Context() {
   // The display stays open: EGL has one for each device, which another context may share.
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);
+}
+
+Result<void> check_context() {
+  if (eglGetCurrentContext() == EGL_NO_CONTEXT) return problem("the GL context is gone");
+  if (glGetGraphicsResetStatus() != GL_NO_ERROR)
+    return problem("the GL context was lost: the graphics processor was reset");
+  return {};
 }
 
 }  // namespace metamer::gl

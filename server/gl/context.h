@@ -42,4 +42,8 @@ class Context {
   bool software_ = false;
 };
 
+/// Whether this thread still has a context that works. A GPU that was reset loses it; calls without
+/// one do nothing, and say nothing.
+Result<void> check_context();
+
 }  // namespace metamer::gl

@@ -188,6 +188,7 @@ void Geometry::draw(const Program& triangles, const Program& spheres) const {
   }
   if (sphere_count_ > 0) {
     spheres.use();
+    boxes_.bind_storage(3);  // where a compute shader finds the places of triangles
     glDrawArraysInstanced(GL_TRIANGLES, 0, 36, static_cast<GLsizei>(sphere_count_));
   }
 }

@@ -19,6 +19,7 @@ class Geometry {
   void bind() const;
   /// All triangles by one program and all spheres by the other, into the current framebuffer.
   void draw(const Program& triangles, const Program& spheres) const;
+  std::uint32_t triangle_count() const { return triangle_count_; }
   std::uint32_t node_count() const { return node_count_; }
   bool has_tangents() const { return has_tangents_; }
 

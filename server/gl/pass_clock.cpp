@@ -8,6 +8,8 @@ namespace metamer::gl {
 
 const char* name_of(Pass pass) {
   switch (pass) {
+    case Pass::places:
+      return "places";
     case Pass::visibility:
       return "visibility";
     case Pass::shading:

@@ -2,12 +2,13 @@
 
 #include <array>
 #include <functional>
+#include <iterator>
 
 namespace metamer::gl {
 
 /// The passes of a renderer.
-enum class Pass : unsigned char { visibility, shading, color };
-inline constexpr std::size_t pass_count = 3;
+enum class Pass : unsigned char { places, visibility, shading, color };
+inline constexpr Pass all_passes[] = {Pass::places, Pass::visibility, Pass::shading, Pass::color};
 const char* name_of(Pass pass);
 
 /// How long the passes take: by the GPU's own timers where they can be believed, else by the clock
@@ -26,7 +27,7 @@ class PassClock {
 
  private:
   unsigned query_ = 0;  ///< 0: by the clock.
-  std::array<double, pass_count> seconds_{};
+  std::array<double, std::size(all_passes)> seconds_{};
 };
 
 }  // namespace metamer::gl

@@ -6,63 +6,93 @@
 namespace metamer::gl {
 namespace {
 
+constexpr const char* version = "#version 450\n";
+
 std::string stages(std::initializer_list<const char*> names) {
   std::string text;
   for (const char* name : names) text += shader_text("stages/" + std::string(name) + ".glsl");
   return text;
 }
 
-/// Draws four wavelengths of everything at a time.
-Result<void> add_passes(const std::string& models, Programs& programs) {
-  const std::string version = "#version 450\n";
-  const std::string fragment =
-      stages({"camera", "geometry", "angles", "surface", "shadow", "color", "reflect"});
-  auto triangles = Program::raster(
-      version + stages({"camera", "geometry", "triangles.vert"}),
-      models + fragment + "#define PRIMITIVE uint(gl_PrimitiveID)\n" + stages({"passes.frag"}));
-  auto spheres = Program::raster(
-      version + stages({"camera", "geometry", "spheres.vert"}),
-      models + fragment + "flat in uint sphere;\n#define PRIMITIVE (first_sphere | sphere)\n" +
-          stages({"passes.frag"}));
-  auto combine = Program::compute(version + stages({"camera", "combine.comp"}));
-  for (const auto* program : {&triangles, &spheres, &combine})
-    if (!*program) return tl::unexpected(program->error());
-  programs.pass_triangles = std::move(*triangles);
-  programs.pass_spheres = std::move(*spheres);
-  programs.combine = std::move(*combine);
-  return {};
-}
+/// Compiles one program after the other until one does not.
+class Compiler {
+ public:
+  explicit Compiler(const RenderScene& scene)
+      : models_(material_source(scene)),
+        surface_(models_ + stages({"camera", "geometry", "angles", "surface", "shadow", "color"})) {
+  }
 
-Result<Programs> compile(const std::string& models, bool multi_pass) {
-  const std::string version = "#version 450\n";
-  auto triangles = Program::raster(version + stages({"camera", "geometry", "triangles.vert"}),
-                                   version + stages({"triangles.frag"}));
-  auto spheres = Program::raster(version + stages({"camera", "geometry", "spheres.vert"}),
-                                 version + stages({"camera", "geometry", "spheres.frag"}));
-  auto shade =
-      Program::compute(models + stages({"camera", "geometry", "angles", "surface", "shadow",
-                                        "color", "gather", "reflect", "shade.comp"}));
-  auto finish = Program::compute(models + stages({"camera", "color", "gather", "finish.comp"}));
-  for (const auto* program : {&triangles, &spheres, &shade, &finish})
-    if (!*program) return tl::unexpected(program->error());
-  Programs programs;
-  programs.triangles = std::move(*triangles);
-  programs.spheres = std::move(*spheres);
-  programs.shade = std::move(*shade);
-  programs.finish = std::move(*finish);
-  if (multi_pass)
-    if (auto done = add_passes(models, programs); !done) return tl::unexpected(done.error());
-  return programs;
-}
+  void add_basics() {
+    const std::string triangles = stages({"camera", "geometry", "triangles.vert"});
+    keep(programs_.triangles, [&] {
+      return Program::raster(version + triangles, version + stages({"triangles.frag"}));
+    });
+    keep(programs_.spheres, [&] {
+      return Program::raster(version + stages({"camera", "geometry", "spheres.vert"}),
+                             version + stages({"camera", "geometry", "spheres.frag"}));
+    });
+    keep(programs_.shade, [&] {
+      return Program::compute(surface_ + stages({"gather", "reflect", "shade.comp"}));
+    });
+    keep(programs_.finish, [&] {
+      return Program::compute(models_ + stages({"camera", "color", "gather", "finish.comp"}));
+    });
+  }
+
+  void add_places() {
+    keep(programs_.places, [&] {
+      return Program::compute(surface_ + stages({"reflect", "places.comp"}));
+    });
+  }
+
+  void add_passes() {
+    const auto draw = [&](const char* vertex, const char* primitive) {
+      return Program::raster(version + stages({"camera", "geometry", vertex}),
+                             surface_ + primitive + stages({"reflect", "passes.frag"}));
+    };
+    keep(programs_.pass_triangles,
+         [&] { return draw("triangles.vert", "#define PRIMITIVE uint(gl_PrimitiveID)\n"); });
+    keep(programs_.pass_spheres, [&] {
+      return draw("spheres.vert",
+                  "flat in uint sphere;\n#define PRIMITIVE (first_sphere | sphere)\n");
+    });
+    keep(programs_.combine, [&] {
+      return Program::compute(version + stages({"camera", "combine.comp"}));
+    });
+  }
+
+  Result<Programs> finish() {
+    if (!done_) return tl::unexpected(done_.error());
+    return std::move(programs_);
+  }
+
+ private:
+  void keep(Program& to, const auto& compile) {
+    if (!done_) return;
+    Result<Program> program = compile();
+    if (program)
+      to = std::move(*program);
+    else
+      done_ = tl::unexpected(program.error());
+  }
+
+  std::string models_;
+  std::string surface_;  ///< What evaluates a model at a point, but for the stage itself.
+  Programs programs_;
+  Result<void> done_;
+};
 
 }  // namespace
 
-Result<std::shared_ptr<const Programs>> ProgramCache::get(const RenderScene& scene,
-                                                          bool multi_pass) {
-  const std::string models = material_source(scene);
-  const std::string key = (multi_pass ? "passes" : "") + models;
+Result<std::shared_ptr<const Programs>> ProgramCache::get(const RenderScene& scene, Wanted wanted) {
+  const std::string key = (wanted.places ? "places " : "") +
+                          std::string(wanted.passes ? "passes " : "") + material_source(scene);
   if (const auto found = known_.find(key); found != known_.end()) return found->second;
-  auto compiled = compile(models, multi_pass);
+  Compiler compiler(scene);
+  compiler.add_basics();
+  if (wanted.places) compiler.add_places();
+  if (wanted.passes) compiler.add_passes();
+  auto compiled = compiler.finish();
   if (!compiled) return tl::unexpected(compiled.error());
   if (known_.size() >= most) known_.clear();
   return known_[key] = std::make_shared<const Programs>(std::move(*compiled));

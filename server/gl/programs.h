@@ -13,15 +13,21 @@ namespace metamer::gl {
 struct Programs {
   Program triangles, spheres;                     ///< Names of what is seen.
   Program shade, finish;                          ///< For each light.
-  Program pass_triangles, pass_spheres, combine;  ///< Of MultiPass, where it is asked for.
+  Program places;                                 ///< For each light, where it is wanted.
+  Program pass_triangles, pass_spheres, combine;  ///< Of MultiPass, where it is wanted.
 };
 
 /// Compiled programs, for all jobs of a context. Compiling takes longer than many a picture, and
 /// what a program depends on is only which models a scene uses.
 class ProgramCache {
  public:
+  /// What not every picture needs.
+  struct Wanted {
+    bool places = false;  ///< A shading interpolates over triangles.
+    bool passes = false;
+  };
   /// For the scene's models and no others. Errors: the compiler's words.
-  Result<std::shared_ptr<const Programs>> get(const RenderScene& scene, bool multi_pass);
+  Result<std::shared_ptr<const Programs>> get(const RenderScene& scene, Wanted wanted);
 
  private:
   static constexpr std::size_t most = 32;                         ///< Then it begins anew.

@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 
 #include "common/scene/fresnel_table.h"
+#include "server/gl/context.h"
 #include "server/gl/materials.h"
 #include "server/methods/scene_rows.h"
 
@@ -24,6 +25,38 @@ class VertexArray {
   GLuint name_ = 0;
 };
 
+/// The most that the lobes at triangles' places may take; beyond that each sample evaluates them.
+constexpr std::uint64_t max_place_bytes = 96u << 20;
+
+/// Of all lights, two groups of four numbers each.
+std::uint64_t place_bytes(const RenderScene& scene, const Geometry& geometry,
+                          std::uint32_t places) {
+  return std::uint64_t{geometry.triangle_count()} * scene.lights.size() * places * 32;
+}
+
+/// At how many places of a triangle a model is evaluated, at the most; 0: at samples alone, or the
+/// places take too much memory.
+std::uint32_t places_of_triangle(const RenderScene& scene, const Geometry& geometry) {
+  std::uint32_t places = 0;
+  for (const RenderObject& object : scene.objects) {
+    if (object.shape == RenderObject::Shape::sphere) continue;
+    switch (object.shading) {
+      case v1::CONSTANT:
+        places = std::max(places, 1u);
+        break;
+      case v1::GOURAUD:
+        places = std::max(places, 3u);
+        break;
+      case v1::QUADRATIC:
+        places = std::max(places, 6u);
+        break;
+      default:
+        break;
+    }
+  }
+  return place_bytes(scene, geometry, places) <= max_place_bytes ? places : 0;
+}
+
 /// As shaders/stages/reflect.glsl has it.
 std::vector<float> light_records(const RenderScene& scene) {
   std::vector<float> records;
@@ -43,15 +76,17 @@ Result<Renderer> Renderer::create(const RenderScene& scene, const Geometry& geom
                                   bool timers) {
   Renderer renderer(scene, geometry, plan);
   renderer.clock_ = std::make_unique<PassClock>(timers);
-  auto programs = cache.get(scene, plan.method().point().multi_pass());
+  const bool passes = plan.method().point().multi_pass();
+  if (!passes) renderer.places_of_triangle_ = places_of_triangle(scene, geometry);
+  auto programs = cache.get(scene, {renderer.places_of_triangle_ > 0, passes});
   if (!programs) return tl::unexpected(programs.error());
   renderer.programs_ = std::move(*programs);
   const DirectTables tables = method.direct_tables();
   if (auto done = renderer.upload(tables); !done) return tl::unexpected(done.error());
-  if (plan.method().point().multi_pass()) {
-    auto passes = MultiPass::create(tables, plan.lights());
-    if (!passes) return tl::unexpected(passes.error());
-    renderer.multi_pass_ = std::make_unique<MultiPass>(std::move(*passes));
+  if (passes) {
+    auto made = MultiPass::create(tables, plan.lights());
+    if (!made) return tl::unexpected(made.error());
+    renderer.multi_pass_ = std::make_unique<MultiPass>(std::move(*made));
   }
   return renderer;
 }
@@ -80,6 +115,12 @@ Result<void> Renderer::upload(const DirectTables& tables) {
   values_ = std::move(*values);
   sensors_ = std::move(*sensors);
   lights_ = std::move(*lights);
+  if (places_of_triangle_ > 0) {
+    auto places = Buffer::zeros("the lobes at triangles' places",
+                                place_bytes(scene_, geometry_, places_of_triangle_));
+    if (!places) return tl::unexpected(places.error());
+    places_ = std::move(*places);
+  }
   return {};
 }
 
@@ -110,7 +151,7 @@ void Renderer::bind() const {
   lights_.bind_storage(15);
   glBindTextureUnit(0, target_.texture());
   for (const Program* program : {&programs_->shade, &programs_->finish, &programs_->pass_triangles,
-                                 &programs_->pass_spheres}) {
+                                 &programs_->pass_spheres, &programs_->places}) {
     if (!*program) continue;
     program->set("value_size", value_size_);
     program->set("row_stride", row_stride_);
@@ -118,6 +159,8 @@ void Renderer::bind() const {
     program->set("sensor_stride", sensor_stride_);
     program->set("node_count", geometry_.node_count());
     program->set("has_tangents", geometry_.has_tangents());
+    program->set("triangle_count", geometry_.triangle_count());
+    program->set("places_of_triangle", places_of_triangle_);
     program->set("node_last", static_cast<float>(fresnel_nodes - 1));
   }
 }
@@ -131,6 +174,21 @@ void Renderer::for_each_light(const Program& program, const Rect& region) const 
     program.set("first_weight", light * pixels);
     dispatch_over(region);
   }
+}
+
+/// Evaluates the models at the places of triangles, once for all samples and regions.
+void Renderer::evaluate_places() {
+  if (places_of_triangle_ == 0 || places_are_evaluated_) return;
+  places_are_evaluated_ = true;
+  const Program& program = programs_->places;
+  places_.bind_storage(3);
+  program.use();
+  clock_->run(Pass::places, [&] {
+    for (std::uint32_t light = 0; light < scene_.lights.size(); ++light) {
+      program.set("light", light);
+      dispatch_over({0, 0, 8 * ((geometry_.triangle_count() + 63) / 64), 8});
+    }
+  });
 }
 
 Result<void> Renderer::add_sample(const RegionView& view, SamplePoint place) {
@@ -147,6 +205,7 @@ Result<void> Renderer::add_sample(const RegionView& view, SamplePoint place) {
       return;
     }
     view.set(programs_->shade, place);
+    if (places_of_triangle_ > 0) places_.bind_storage(3);
     for_each_light(programs_->shade, view.region);
   });
   return done;
@@ -159,11 +218,13 @@ Result<void> Renderer::render(const Rect& region, const Film& film,
   weights_.clear();
   colors_.clear();
   bind();
+  evaluate_places();
   const VertexArray no_attributes;
   const RegionView view{scene_.camera, width_, height_, region};
   for (const SamplePoint& place : sample_pattern(spp_)) {
     if (cancelled) return {};
     if (auto done = add_sample(view, place); !done) return done;
+    if (auto sound = check_context(); !sound) return sound;
     work += std::uint64_t{region.width} * region.height;
   }
   view.set(programs_->finish, {0, 0});

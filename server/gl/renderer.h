@@ -44,6 +44,7 @@ class Renderer {
   Result<void> resize(const Rect& region);
   void bind() const;
   void for_each_light(const Program& program, const Rect& region) const;
+  void evaluate_places();
   Result<void> add_sample(const RegionView& view, SamplePoint place);
   void read_back(const Rect& region, const Film& film) const;
 
@@ -51,8 +52,10 @@ class Renderer {
   const Geometry& geometry_;
   std::uint32_t width_, height_, spp_;
   std::shared_ptr<const Programs> programs_;
-  Buffer materials_, values_, sensors_, lights_, weights_, colors_;
+  Buffer materials_, values_, sensors_, lights_, places_, weights_, colors_;
   std::uint32_t value_size_ = 0, row_stride_ = 0, light_stride_ = 0, sensor_stride_ = 0;
+  std::uint32_t places_of_triangle_ = 0;  ///< 0: models are evaluated at samples.
+  bool places_are_evaluated_ = false;
   Target target_;
   std::unique_ptr<MultiPass> multi_pass_;  ///< Where the plan asks for it.
   std::unique_ptr<PassClock> clock_;

@@ -45,7 +45,7 @@ void GlPicture::add_preparation(v1::Timing& timing) const {
 
 void GlPicture::set_passes(v1::Timing& timing) const {
   timing.clear_pass();
-  for (const gl::Pass pass : {gl::Pass::visibility, gl::Pass::shading, gl::Pass::color}) {
+  for (const gl::Pass pass : gl::all_passes) {
     v1::PassTime& time = *timing.add_pass();
     time.set_name(gl::name_of(pass));
     time.set_seconds(renderer_.clock().seconds(pass));

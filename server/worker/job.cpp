@@ -133,6 +133,8 @@ bool Job::make_plan(const v1::CompileJob& message) {
     notice->set_message(message);
   };
   if (!objection.empty()) say("settings.method.auto", objection);
+  if (options_.gl && is_auto && goal.has_deadline())
+    say("settings.method.auto.deadline", "seconds are predicted for the cpu backend");
   if (message.keep_factors() && !keep_factors_)
     say("material", "the scene's spectra are too many to keep factors for");
   return true;
@@ -148,7 +150,12 @@ void Job::render(const v1::RenderTiles& message) {
   const Film view{film.xyz(), plan_.width(), plan_.height()};
   if (options_.gl) {
     const auto done = render_by_gl(message, view);
-    if (!done && !stopped_) return send_failure(v1::Failed::SERVER, done.error().message);
+    if (!done && !stopped_) {
+      send_failure(v1::Failed::SERVER, done.error().message);
+      // The next job gets a new worker, with a new context.
+      if (!gl::check_context()) std::_Exit(1);
+      return;
+    }
   } else {
     tbb::task_arena arena(static_cast<int>(plan_.threads()));
     arena.execute(

@@ -51,6 +51,37 @@ void add_lobes(uint light, uint base, Lobes lobes, float weight) {
                              lobes.white + lobes.fresnel * rise);
 }
 
+// A light's lobes at a place of a triangle.
+Lobes place_lobes(uint light, uint triangle, uint object, vec3 side, uint shading, uint base, uint index) {
+    Place place = place_of(triangle, object, side, shading, index);
+    Seen there = look(light, place.position);
+    Lobes lobes = reflection(base, angles_of(place.normal, place.tangent, there.direction, unit(-place.position),
+                                             light_of[light].more.y));
+    float weight = there.weight <= largest ? there.weight : 0.0;
+    lobes.diffuse *= weight;
+    lobes.specular *= weight;
+    lobes.white *= weight;
+    lobes.fresnel *= weight;
+    return lobes;
+}
+
+// The same for all samples of a picture: places.comp.glsl has evaluated them, where they fit into memory.
+layout(std430, binding = 3) buffer Places { vec4 place_of_light[]; };  // two each: lobes; their cosine
+uniform uint places_of_triangle;  // 0: there are none
+uniform uint triangle_count;
+
+uint place_index(uint light, uint triangle, uint index) {
+    return 2u * ((light * triangle_count + triangle) * places_of_triangle + index);
+}
+
+Lobes lobes_at_place(uint light, Surface surface, uint shading, uint base, uint index) {
+    if (places_of_triangle == 0u)
+        return place_lobes(light, surface.triangle, surface.object, surface.side, shading, base, index);
+    uint at = place_index(light, surface.triangle, index);
+    vec4 four = place_of_light[at];
+    return Lobes(four.x, four.y, four.z, four.w, place_of_light[at + 1u].x);
+}
+
 void reflect_light(uint light, Surface surface, vec3 direction) {
     uint base = object_of[surface.object].material * material_size;
     Seen from_here = look(light, surface.hit);
@@ -65,13 +96,9 @@ void reflect_light(uint light, Surface surface, vec3 direction) {
         lit = is_free(surface.hit + surface.side * lift, from_here.direction, from_here.reach);
     }
     if (lit && shading != 0u) {
-        for (uint i = 0u; i < place_count(shading); ++i) {
-            Place place = place_of(surface, shading, i);
-            Seen there = look(light, place.position);
-            if (!(there.weight <= largest)) continue;
-            Angles angles = angles_of(place.normal, place.tangent, there.direction, unit(-place.position), light_of[light].more.y);
-            add_lobes(light, base, reflection(base, angles), there.weight * place.weight);
-        }
+        for (uint i = 0u; i < place_count(shading); ++i)
+            add_lobes(light, base, lobes_at_place(light, surface, shading, base, i),
+                      place_weight(shading, surface.uv, i));
         return;
     }
     if (!lit && word_of[base + material_ambient] == 0u) return;

@@ -40,14 +40,29 @@ TEST(BenchCommand, ComparesEveryModelWithBlinnPhong) {
   const Json answer = parse_document(
       metamer({"bench", "models", "--rounds", "1", "--size", "16x12", "--spp", "1", "--json"}).out);
   EXPECT_EQ(answer["exit_code"], 0);
-  ASSERT_GT(answer["models"].size(), 9u);
-  EXPECT_EQ(answer["models"][0]["name"], "blinn_phong");
-  EXPECT_EQ(answer["models"][0]["relative"], 1.0);
-  for (const Json& row : answer["models"]) {
+  ASSERT_GT(answer["cases"].size(), 9u);
+  EXPECT_EQ(answer["cases"][0]["name"], "blinn_phong");
+  EXPECT_EQ(answer["cases"][0]["relative"], 1.0);
+  for (const Json& row : answer["cases"]) {
     EXPECT_GT(row["relative"].get<double>(), 0) << row;
     EXPECT_GE(row["models"].get<double>(), 0) << row;
   }
   EXPECT_EQ(metamer({"bench", "models", "--size", "0x12"}).code, 2);
+}
+
+TEST(BenchCommand, ComparesEveryMethodWithRgb) {
+  const auto bench = [](std::vector<std::string> more) {
+    std::vector<std::string> words = {"bench", "methods", "--rounds", "1",     "--size",
+                                      "16x12", "--spp",   "1",        "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    return parse_document(metamer(words).out);
+  };
+  const Json cpu = bench({}), gl = bench({"--backend", "gl"});
+  EXPECT_EQ(cpu["exit_code"], 0);
+  EXPECT_EQ(gl["exit_code"], 0);
+  EXPECT_EQ(cpu["cases"][0]["name"], "rgb");
+  EXPECT_EQ(cpu["cases"].size(), 9u);
+  EXPECT_EQ(gl["cases"].size(), 13u);  // and point in passes, with four numbers of samples
 }
 
 TEST(ShownScenes, AreSound) {

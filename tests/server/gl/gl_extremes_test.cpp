@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "common/scene/settings.h"
+#include "server/cpu/tracer.h"
 #include "server/gl/device.h"
 #include "server/gl/renderer.h"
 #include "server/plan/plan.h"
@@ -172,6 +173,82 @@ TEST_F(GlExtremes, WhatNoBufferHoldsIsAMessage) {
       buffer.error().message.rfind("the vertices' positions take 1048576 MiB; this GL device's", 0),
       0u)
       << buffer.error().message;
+}
+
+TEST_F(GlExtremes, AContextThatGoesAwayUnderARendererIsAMessage) {
+  const std::string text = scene("width: 16 height: 8 spp: 2", ball);
+  const RenderScene own = to_camera_space(test::compile_text(text));
+  const v1::Plan plan =
+      make_plan(own, with_defaults(test::parse_scene(text).settings()), {.threads = 1});
+  const auto method = make_method(plan, own);
+  const auto geometry = device_->geometry(text, own, no_stop);
+  auto renderer = Renderer::create(own, **geometry, plan, *method, device_->programs(), false);
+  ASSERT_TRUE(renderer);
+  std::vector<float> xyz(16 * 8 * 3);
+  std::atomic<std::uint64_t> work = 0;
+  const auto draw = [&] {
+    return renderer->render({0, 0, 16, 8}, {xyz.data(), 16, 8}, no_stop, work);
+  };
+  ASSERT_TRUE(draw());
+  device_->context().release();
+  const auto lost = draw();
+  ASSERT_FALSE(lost);
+  EXPECT_EQ(lost.error().message, "the GL context is gone");
+  ASSERT_TRUE(device_->context().make_current());
+  EXPECT_TRUE(draw());
+}
+
+/// A floor of so many squares a side, a little hilly.
+TriangleMesh hills(std::uint32_t side) {
+  TriangleMesh mesh;
+  for (std::uint32_t z = 0; z <= side; ++z)
+    for (std::uint32_t x = 0; x <= side; ++x) {
+      const float u = static_cast<float>(x) / static_cast<float>(side);
+      const float v = static_cast<float>(z) / static_cast<float>(side);
+      mesh.positions.push_back(
+          {6 * u - 3, 0.2f * std::sin(20 * u) * std::cos(20 * v) - 0.5f, -6 * v - 2});
+    }
+  const auto at = [=](std::uint32_t x, std::uint32_t z) { return z * (side + 1) + x; };
+  for (std::uint32_t z = 0; z < side; ++z)
+    for (std::uint32_t x = 0; x < side; ++x) {
+      mesh.triangles.push_back({at(x, z), at(x + 1, z), at(x, z + 1)});
+      mesh.triangles.push_back({at(x + 1, z), at(x + 1, z + 1), at(x, z + 1)});
+    }
+  return mesh;
+}
+
+// Takes half a minute and three gigabytes: run by the test gl_ten_million, with the label long.
+TEST_F(GlExtremes, DISABLED_TenMillionTrianglesAreSeenAsByTheCpu) {
+  const std::string text =
+      "camera { eye {} target { z: -1 } } settings { width: 64 height: 48 spp: 1 depth: 0 backend: "
+      "GL "
+      "method { rgb {} } } light { name: \"a\" direction { x: 1 y: -1 } spectrum { standard: "
+      "\"D65\" } } "
+      "material { name: \"m\" diffuse { constant: 0.5 } } object { name: \"floor\" material: \"m\" "
+      "quad "
+      "{ corner {} u { x: 1 } v { y: 1 } } }";
+  RenderScene own = test::compile_text(text);
+  own.meshes.front() = hills(2237);
+  ASSERT_GT(own.triangle_count(), 10'000'000u);
+  const std::vector<float> gl = render(own, text + " # hills");
+
+  const v1::Plan plan =
+      make_plan(own, with_defaults(test::parse_scene(text).settings()), {.threads = 1});
+  const auto method = make_method(plan, own);
+  const auto geometry = cpu::EmbreeScene::build(own, no_stop);
+  const cpu::Tracer tracer(own, *geometry, plan);
+  std::vector<float> cpu(gl.size());
+  FilmSink sink(*method, {cpu.data(), 64, 48}, 1);
+  auto workspace = tracer.make_workspace();
+  std::atomic<std::uint64_t> work = 0;
+  tracer.render({0, 0, 64, 48}, sink, workspace, no_stop, work);
+  std::size_t off = 0, lit = 0;
+  for (std::size_t i = 0; i < gl.size(); ++i) {
+    off += std::abs(gl[i] - cpu[i]) > 1e-3f;
+    lit += cpu[i] > 0.01f;
+  }
+  EXPECT_GT(lit, gl.size() / 10);
+  EXPECT_LT(off, gl.size() / 20);
 }
 
 std::size_t resident_bytes() {
