@@ -11,7 +11,15 @@
 namespace metamer::gl {
 namespace {
 
-constexpr unsigned max_leaf = 4;
+constexpr unsigned max_leaf = 7;  // that three bits count
+/// So many primitives to a leaf, at the least and at the most: the fewest that a walk likes, and
+/// more where the nodes of ten million triangles would not fit into a buffer.
+struct LeafSize {
+  unsigned least, most;
+};
+LeafSize leaf_size(std::size_t primitives) {
+  return primitives < 2'000'000 ? LeafSize{1, 4} : LeafSize{4, max_leaf};
+}
 
 /// A node as Embree builds it, in memory that ends with the hierarchy.
 struct Node {
@@ -103,7 +111,9 @@ std::optional<Boxes> build_boxes(const std::vector<BoxedPrimitive>& primitives,
   arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
   arguments.maxBranchingFactor = 2;
   arguments.maxDepth = 64;
-  arguments.maxLeafSize = max_leaf;
+  const LeafSize leaf = leaf_size(primitives.size());
+  arguments.minLeafSize = leaf.least;
+  arguments.maxLeafSize = leaf.most;
   arguments.bvh = bvh.get();
   arguments.primitives = list.data();
   arguments.primitiveCount = list.size();

@@ -40,7 +40,10 @@ class GlExtremes : public ::testing::Test {
         make_plan(scene, with_defaults(test::parse_scene(text).settings()), {.threads = 1});
     const auto method = make_method(plan, scene);
     const auto geometry = device_->geometry(text, scene, no_stop);
-    EXPECT_TRUE(geometry) << geometry.error().message;
+    if (!geometry) {
+      ADD_FAILURE() << geometry.error().message;
+      return {};
+    }
     auto renderer = Renderer::create(scene, **geometry, plan, *method, device_->programs(), false);
     EXPECT_TRUE(renderer) << renderer.error().message;
     std::vector<float> xyz(std::size_t{plan.width()} * plan.height() * 3, -1.0f);
@@ -231,6 +234,7 @@ TEST_F(GlExtremes, DISABLED_TenMillionTrianglesAreSeenAsByTheCpu) {
   own.meshes.front() = hills(2237);
   ASSERT_GT(own.triangle_count(), 10'000'000u);
   const std::vector<float> gl = render(own, text + " # hills");
+  ASSERT_EQ(gl.size(), 64u * 48 * 3);
 
   const v1::Plan plan =
       make_plan(own, with_defaults(test::parse_scene(text).settings()), {.threads = 1});
