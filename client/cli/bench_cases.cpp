@@ -133,10 +133,12 @@ std::vector<BenchCase> method_cases(bool multi_pass) {
 
 std::string bench_scene_text(const v1::Scene& scene) {
   const v1::Settings settings = with_defaults(scene.settings());
-  return std::to_string(side * side) + " spheres, 2 lights, " + std::to_string(settings.depth()) +
-         " mirror reflections, " + std::to_string(settings.width()) + "x" +
-         std::to_string(settings.height()) + ", " + std::to_string(settings.spp()) +
-         " samples per pixel";
+  const std::string mirrors = settings.backend() == v1::GL
+                                  ? "the gl backend without mirrors"
+                                  : std::to_string(settings.depth()) + " mirror reflections";
+  return std::to_string(side * side) + " spheres, 2 lights, " + mirrors + ", " +
+         std::to_string(settings.width()) + "x" + std::to_string(settings.height()) + ", " +
+         std::to_string(settings.spp()) + " samples per pixel";
 }
 
 }  // namespace metamer::cli

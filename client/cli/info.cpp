@@ -39,7 +39,8 @@ void print_info(const v1::Info& info, double ping, Report& report) {
   for (const v1::WorkerInfo& worker : info.worker())
     report.line(worker.backend() + " worker" +
                 (worker.pid() ? " " + std::to_string(worker.pid()) : "") + ": " + worker.state() +
-                ", start " + std::to_string(worker.starts()) + ", sandbox " + worker.sandbox() +
+                ", start " + std::to_string(worker.starts()) +
+                (worker.sandbox().empty() ? "" : ", sandbox " + worker.sandbox()) +
                 (worker.last_exit().empty() ? "" : "; the one before: " + worker.last_exit()));
   report.line("backends: " + list(info.capabilities().backend()) + " (" +
               std::to_string(info.capabilities().threads()) + " threads)");

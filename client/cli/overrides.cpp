@@ -131,7 +131,7 @@ Result<void> apply_goal(const Overrides& overrides, v1::Settings& settings,
   if (overrides.tolerance && overrides.deadline)
     return problem("--tolerance and --deadline exclude each other");
   if (overrides.method.value_or("auto") != "auto" || overrides.samples || overrides.wavelengths ||
-      overrides.bases)
+      overrides.bases || overrides.fitted || overrides.multi_pass)
     return problem(std::string(option) + " is for --method auto");
   v1::Auto& goal = *settings.mutable_method()->mutable_auto_();
   if (overrides.tolerance) {
@@ -182,8 +182,11 @@ Result<int> value_named(const std::string& name, const char* what,
     if (own == name) return values.value(i)->number();
     names.push_back(std::move(own));
   }
+  std::string choices;
+  for (const std::string& own : names) choices += (choices.empty() ? "" : ", ") + own;
+  const std::string hint = did_you_mean(name, names);
   return problem(std::string("--") + what + ": no " + what + " named \"" + name + "\"" +
-                 did_you_mean(name, names));
+                 (hint.empty() ? "; there are " + choices : hint));
 }
 
 Result<void> apply_shading(const std::string& shading, v1::Settings& settings,

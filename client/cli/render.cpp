@@ -70,6 +70,11 @@ ExitCode render(const RenderOptions& options) {
   if (!check_output(options.output, report)) return report.finish(ExitCode::bad_input);
   const auto scene = SceneInput::load(options.scene, options.overrides, report);
   if (!scene) return report.finish(ExitCode::bad_input);
+  if (scene->scene().settings().backend() == v1::GL &&
+      wanted(options.output) == Wanted::tiles_and_factors) {
+    report.problem(factors_by_gl(), {});
+    return report.finish(ExitCode::bad_input);
+  }
   const ExitCode code =
       with_any_server(options.common, report, [&](Session& session, Interrupts& interrupts) {
         return render_on(session, interrupts, options, *scene, report);

@@ -18,10 +18,22 @@ boost::asio::awaitable<ExitCode> submit_to(Session& session, const SceneInput& s
 
 }  // namespace
 
+Problem factors_by_gl() {
+  return {.field = {},
+          .file = {},
+          .message =
+              "--keep-factors and --exr spectral need what the cpu backend keeps of each "
+              "pixel: leave --backend gl out"};
+}
+
 ExitCode submit(const SubmitOptions& options) {
   Report report(options.common.json);
   const auto scene = SceneInput::load(options.scene, options.overrides, report);
   if (!scene) return report.finish(ExitCode::bad_input);
+  if (options.keep_factors && scene->scene().settings().backend() == v1::GL) {
+    report.problem(factors_by_gl(), {});
+    return report.finish(ExitCode::bad_input);
+  }
   return report.finish(with_server(options.common, report, [&](Session& session) {
     return submit_to(session, *scene, options.keep_factors, report);
   }));

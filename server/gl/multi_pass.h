@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 
 #include "server/gl/camera.h"
@@ -20,8 +21,9 @@ class MultiPass {
 
   /// Draws one sample of all pixels, of which `names` says what each sees, and adds it to the
   /// colours in binding 13. Everything else that shaders/stages/shade.comp.glsl reads is bound.
+  /// Leaves the rest out when `cancelled`.
   Result<void> run(const Programs& programs, const Geometry& geometry, const RegionView& view,
-                   SamplePoint place);
+                   SamplePoint place, const std::atomic<bool>& cancelled);
 
  private:
   MultiPass() = default;

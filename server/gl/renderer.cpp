@@ -166,10 +166,11 @@ void Renderer::bind() const {
 }
 
 /// Each light by itself: llvmpipe cuts long loops short.
-void Renderer::for_each_light(const Program& program, const Rect& region) const {
+void Renderer::for_each_light(const Program& program, const Rect& region,
+                              const std::atomic<bool>& cancelled) const {
   program.use();
   const std::uint32_t pixels = region.width * region.height;
-  for (std::uint32_t light = 0; light < scene_.lights.size(); ++light) {
+  for (std::uint32_t light = 0; light < scene_.lights.size() && !cancelled; ++light) {
     program.set("light", light);
     program.set("first_weight", light * pixels);
     dispatch_over(region);
@@ -191,7 +192,8 @@ void Renderer::evaluate_places() {
   });
 }
 
-Result<void> Renderer::add_sample(const RegionView& view, SamplePoint place) {
+Result<void> Renderer::add_sample(const RegionView& view, SamplePoint place,
+                                  const std::atomic<bool>& cancelled) {
   clock_->run(Pass::visibility, [&] {
     for (const Program* program : {&programs_->triangles, &programs_->spheres})
       view.set(*program, place);
@@ -201,12 +203,12 @@ Result<void> Renderer::add_sample(const RegionView& view, SamplePoint place) {
   Result<void> done;
   clock_->run(Pass::shading, [&] {
     if (multi_pass_) {
-      done = multi_pass_->run(*programs_, geometry_, view, place);
+      done = multi_pass_->run(*programs_, geometry_, view, place, cancelled);
       return;
     }
     view.set(programs_->shade, place);
     if (places_of_triangle_ > 0) places_.bind_storage(3);
-    for_each_light(programs_->shade, view.region);
+    for_each_light(programs_->shade, view.region, cancelled);
   });
   return done;
 }
@@ -223,16 +225,17 @@ Result<void> Renderer::render(const Rect& region, const Film& film,
   const RegionView view{scene_.camera, width_, height_, region};
   for (const SamplePoint& place : sample_pattern(spp_)) {
     if (cancelled) return {};
-    if (auto done = add_sample(view, place); !done) return done;
+    if (auto done = add_sample(view, place, cancelled); !done) return done;
     if (auto sound = check_context(); !sound) return sound;
     work += std::uint64_t{region.width} * region.height;
   }
   view.set(programs_->finish, {0, 0});
   clock_->run(Pass::color, [&] {
-    if (!multi_pass_) for_each_light(programs_->finish, region);
+    if (!multi_pass_) for_each_light(programs_->finish, region, cancelled);
   });
   if (const GLenum error = glGetError(); error != GL_NO_ERROR)
     return problem("GL error " + std::to_string(error) + " while rendering");
+  if (cancelled) return {};
   read_back(region, film);
   return {};
 }

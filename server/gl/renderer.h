@@ -27,12 +27,12 @@ class Renderer {
                                  const v1::Plan& plan, const Method& method, ProgramCache& cache,
                                  bool timers);
 
-  /// Of a region, so that what its pixels gather fits any device.
-  static constexpr std::uint32_t max_side = 512;
+  /// Of a region: what its pixels gather fits any device, and its tiles are told before long.
+  static constexpr std::uint32_t max_side = 256;
 
   /// Renders a part of the picture, at most max_side wide and high. Looks
-  /// at `cancelled` before each sample and then leaves the film as it is; `work` counts samples of
-  /// pixels.
+  /// at `cancelled` before each sample, light and pass, and then leaves the film as it is; `work`
+  /// counts samples of pixels.
   Result<void> render(const Rect& region, const Film& film, const std::atomic<bool>& cancelled,
                       std::atomic<std::uint64_t>& work);
 
@@ -43,9 +43,11 @@ class Renderer {
   Result<void> upload(const DirectTables& tables);
   Result<void> resize(const Rect& region);
   void bind() const;
-  void for_each_light(const Program& program, const Rect& region) const;
+  void for_each_light(const Program& program, const Rect& region,
+                      const std::atomic<bool>& cancelled) const;
   void evaluate_places();
-  Result<void> add_sample(const RegionView& view, SamplePoint place);
+  Result<void> add_sample(const RegionView& view, SamplePoint place,
+                          const std::atomic<bool>& cancelled);
   void read_back(const Rect& region, const Film& film) const;
 
   const RenderScene& scene_;

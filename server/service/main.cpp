@@ -57,6 +57,7 @@ void describe(CLI::App& app, CommandLine& line) {
   app.add_option("--gl-device", line.gl_device,
                  "of the GL worker, which starts with its first job: auto, a graphics processor "
                  "before software; reference, software; or a number, in EGL's order")
+      ->check(CLI::IsMember({"auto", "reference"}) | CLI::Range(0u, 15u))
       ->capture_default_str();
   app.add_option("--worker-timeout", line.worker_timeout,
                  "seconds without a sign of life after which a worker is ended")

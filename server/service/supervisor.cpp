@@ -64,7 +64,8 @@ void Supervisor::start_worker() {
 
 void Supervisor::on_exit(const std::string& reason) {
   if (state_ == State::stopped) return;
-  spdlog::warn("the {} worker is gone: {}", word(backend()), reason);
+  spdlog::warn("the {} worker is gone: {}{}{}", word(backend()), reason,
+               obstacle_.empty() ? "" : ": ", obstacle_);
   overdue_.cancel();
   worker_.reset();
   if (!obstacle_.empty()) return give_up();

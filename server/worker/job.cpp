@@ -133,8 +133,8 @@ bool Job::make_plan(const v1::CompileJob& message) {
     notice->set_message(message);
   };
   if (!objection.empty()) say("settings.method.auto", objection);
-  if (options_.gl && is_auto && goal.has_deadline())
-    say("settings.method.auto.deadline", "seconds are predicted for the cpu backend");
+  if (options_.gl && !predictions.empty())
+    say("settings.backend", "seconds are predicted for the cpu backend");
   if (message.keep_factors() && !keep_factors_)
     say("material", "the scene's spectra are too many to keep factors for");
   return true;

@@ -93,7 +93,7 @@ void reflect_light(uint light, Surface surface, vec3 direction) {
     if (lit) {
         vec3 size = abs(surface.hit);
         float lift = max(max(size.x, size.y), max(size.z, length(surface.hit))) * 1e-5;
-        lit = is_free(surface.hit + surface.side * lift, from_here.direction, from_here.reach);
+        lit = is_free(surface.hit + surface.side * lift, from_here.direction, lift, from_here.reach);
     }
     if (lit && shading != 0u) {
         for (uint i = 0u; i < place_count(shading); ++i)

@@ -11,7 +11,7 @@ layout(std430, binding = 5) readonly buffer Highs { uvec4 high_of[]; };
 layout(std430, binding = 6) readonly buffer Primitives { uint primitive_of[]; };
 uniform uint node_count;
 
-bool meets_triangle(uint triangle, vec3 origin, vec3 direction, float reach) {
+bool meets_triangle(uint triangle, vec3 origin, vec3 direction, float skipped, float reach) {
     vec3 a = position_at(corner_of[3u * triangle]);
     vec3 b = position_at(corner_of[3u * triangle + 1u]) - a;
     vec3 c = position_at(corner_of[3u * triangle + 2u]) - a;
@@ -23,19 +23,20 @@ bool meets_triangle(uint triangle, vec3 origin, vec3 direction, float reach) {
     vec3 q = cross(s, b);
     float v = dot(direction, q) * scale;
     float at = dot(c, q) * scale;
-    return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && at > 0.0 && at < reach;
+    return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && at > skipped && at < reach;
 }
 
-bool meets(uint primitive, vec3 origin, vec3 direction, float reach) {
-    if (primitive < first_sphere) return meets_triangle(primitive, origin, direction, reach);
+bool meets(uint primitive, vec3 origin, vec3 direction, float skipped, float reach) {
+    if (primitive < first_sphere) return meets_triangle(primitive, origin, direction, skipped, reach);
     SphereRay ray = sphere_ray(primitive & ~first_sphere, origin, direction);
     float near_side = ray.at - ray.half_chord, far_side = ray.at + ray.half_chord;
     return ray.half_chord >= 0.0 &&
-           ((near_side > 0.0 && near_side < reach) || (far_side > 0.0 && far_side < reach));
+           ((near_side > skipped && near_side < reach) || (far_side > skipped && far_side < reach));
 }
 
-// The segment origin + t direction, 0 < t < reach, is free.
-bool is_free(vec3 origin, vec3 direction, float reach) {
+// The segment origin + t direction, skipped < t < reach, is free. What the rasteriser calls visible on an edge
+// may lie behind the neighbouring surface by what f32 gets wrong: `skipped` is as much.
+bool is_free(vec3 origin, vec3 direction, float skipped, float reach) {
     vec3 steady = mix(direction, vec3(1e-18), lessThan(abs(direction), vec3(1e-18)));
     vec3 inverse = 1.0 / steady;
     uint at = 0u;
@@ -53,7 +54,7 @@ bool is_free(vec3 origin, vec3 direction, float reach) {
         if (low.w != 0u) {
             uint begin = (low.w - 1u) >> 3, count = (low.w - 1u) & 7u;
             for (uint i = begin; i < begin + count; ++i)
-                if (meets(primitive_of[i], origin, direction, reach)) return false;
+                if (meets(primitive_of[i], origin, direction, skipped, reach)) return false;
         }
         ++at;
     }

@@ -50,9 +50,16 @@ void find_on_triangle(vec3 direction, inout Surface surface) {
     float scale = 1.0 / dot(b, p);
     surface.uv = vec2(dot(-a, p), dot(direction, q)) * scale;
     float at = dot(c, q) * scale;
-    // On edge, a triangle has no place of its own that f32 could tell.
-    surface.found = at > 0.0 && at < 1e30;
+    surface.found = true;
     surface.hit = direction * at;
+    // A sample that the rasteriser counts to the triangle may miss it by a little: back onto it. Seen on edge
+    // it has no place that f32 could tell: take the middle.
+    if (!(at > 0.0 && at < 1e30)) surface.uv = vec2(1.0 / 3.0);
+    if (!(at > 0.0 && at < 1e30) || any(lessThan(surface.uv, vec2(0.0))) || surface.uv.x + surface.uv.y > 1.0) {
+        surface.uv = max(surface.uv, vec2(0.0));
+        surface.uv /= max(surface.uv.x + surface.uv.y, 1.0);
+        surface.hit = a + surface.uv.x * b + surface.uv.y * c;
+    }
     surface.side = unit(cross(b, c));
     surface.normal = surface.side;
     float w = 1.0 - surface.uv.x - surface.uv.y;

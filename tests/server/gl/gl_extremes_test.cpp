@@ -101,6 +101,24 @@ TEST_F(GlExtremes, TrianglesWithoutAreaAreNotSeen) {
   EXPECT_EQ(with, render(text));
 }
 
+TEST_F(GlExtremes, SamplesOnTheEdgeOfTwoSurfacesAreNotInTheirOwnShadow) {
+  // Floor and wall meet in the middle row of pixels, at many angles.
+  for (int i = 0; i < 40; ++i) {
+    const std::string text =
+        "camera { eye { y: " + std::to_string(0.3 + 0.07 * i) +
+        " z: 4 } target {} } settings { width: 41 height: 31 spp: 1 depth: 0 backend: GL } light { "
+        "name: \"a\" position { x: 1 y: 3 z: 3 } spectrum { standard: \"D65\" } } material { name: "
+        "\"m\" diffuse { constant: 0.5 } } object { name: \"floor\" material: \"m\" quad { corner "
+        "{ x: "
+        "-9 } u { x: 18 } v { z: 9 } } } object { name: \"wall\" material: \"m\" quad { corner { "
+        "x: -9 } "
+        "u { x: 18 } v { y: 9 } } }";
+    const std::vector<float> xyz = render(text);
+    const float* row = &xyz[std::size_t{15} * 41 * 3];
+    for (int x = 0; x < 41; ++x) ASSERT_GT(row[3 * x + 1], 0.01f) << i << ' ' << x;
+  }
+}
+
 TEST_F(GlExtremes, TheCameraMayBeInsideABall) {
   expect_as_cpu(
       scene("width: 64 height: 48 spp: 4",
