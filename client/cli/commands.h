@@ -2,7 +2,6 @@
 
 #include "client/cli/exit_code.h"
 #include "client/cli/options.h"
-#include "common/problem.h"
 
 /// The subcommands, one a file. Each does all that the word says, prints what there is to print,
 /// and returns the program's exit code.
@@ -32,8 +31,6 @@ ExitCode spectra_rgb(const SpectraRgbOptions& options);
 ExitCode convert_spectra(const ConvertOptions& options);
 ExitCode find_metamer(const MetamerOptions& options);
 
-/// Why a picture by the gl backend can be neither relit nor spectral.
-Problem factors_by_gl();
 ExitCode bench_models(const BenchOptions& options);
 ExitCode bench_methods(const BenchOptions& options);
 ExitCode tradeoff(const TradeoffOptions& options);

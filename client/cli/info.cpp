@@ -20,8 +20,7 @@ void print_gl(const v1::GlCapabilities& gl, Report& report) {
   report.line("  buffers of " + std::to_string(gl.storage_bytes() >> 20) + " MiB, textures of " +
               std::to_string(gl.texture_side()) + " pixels");
   report.line(gl.loop_iterations()
-                  ? "  leaves loops after " + std::to_string(gl.loop_iterations()) +
-                        " iterations; none here is as long"
+                  ? "  leaves loops after " + std::to_string(gl.loop_iterations()) + " iterations"
                   : std::string("  runs loops to their end"));
   report.line(gl.timers() ? "  its timers agree with the clock"
                           : "  its timers disagree with the clock and are not used");

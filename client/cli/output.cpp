@@ -78,6 +78,14 @@ bool check_output(const OutputOptions& options, Report& report) {
   return good;
 }
 
+Problem factors_by_gl() {
+  return {.field = {},
+          .file = {},
+          .message =
+              "--keep-factors and --exr spectral need what the cpu backend keeps of each "
+              "pixel: leave --backend gl out"};
+}
+
 Wanted wanted(const OutputOptions& options) {
   return options.factors || wants_spectra(options) ? Wanted::tiles_and_factors : Wanted::tiles;
 }

@@ -1,5 +1,6 @@
 #include "client/cli/commands.h"
 #include "client/cli/connection.h"
+#include "client/cli/output.h"
 #include "client/cli/scene_input.h"
 
 namespace metamer::cli {
@@ -17,14 +18,6 @@ boost::asio::awaitable<ExitCode> submit_to(Session& session, const SceneInput& s
 }
 
 }  // namespace
-
-Problem factors_by_gl() {
-  return {.field = {},
-          .file = {},
-          .message =
-              "--keep-factors and --exr spectral need what the cpu backend keeps of each "
-              "pixel: leave --backend gl out"};
-}
 
 ExitCode submit(const SubmitOptions& options) {
   Report report(options.common.json);

@@ -3,8 +3,6 @@
 #include <embree3/rtcore.h>
 
 #include <bit>
-#include <cmath>
-#include <limits>
 #include <memory>
 #include <new>
 

@@ -10,7 +10,7 @@
 namespace metamer::gl {
 namespace {
 
-/// The shaders walk through so many boxes and bands together, at the most.
+/// Enough for a ray's walk through many boxes and a sum over 4,001 wavelengths, four at a time.
 constexpr std::uint64_t needed_iterations = 32'000;
 constexpr std::uint64_t tried_iterations = 1'000'000;
 

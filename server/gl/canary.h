@@ -8,7 +8,7 @@ namespace metamer::gl {
 
 /// What a device is and what it can be relied on for; the context is current. Drivers are not asked
 /// but tried: llvmpipe leaves loops after 65,535 iterations without a word, and its timers are
-/// wrong. Errors: loops that end before those of the shaders in shaders/stages do.
+/// wrong. Errors: loops that end before 32,000 iterations.
 Result<v1::GlCapabilities> examine(const Context& context);
 
 }  // namespace metamer::gl

@@ -5,6 +5,7 @@
 #include "server/gl/buffer.h"
 
 namespace metamer::gl {
+
 Result<Compute> Compute::compile(const std::string& source) {
   auto program = Program::compute(source);
   if (!program) return tl::unexpected(program.error());

@@ -18,7 +18,7 @@ struct Object {
   float to_unit[3][4];
   float x_axis[4];
   float z_axis[4];
-  std::uint32_t material, shading, has_normals, is_sphere;
+  std::uint32_t material, shading, has_normals, padding;
 };
 static_assert(sizeof(Object) == 96);
 
@@ -112,7 +112,6 @@ Lists flatten(const RenderScene& scene, bool tangents) {
     record.material = object.material;
     record.shading =
         sphere ? static_cast<std::uint32_t>(v1::PHONG) : static_cast<std::uint32_t>(object.shading);
-    record.is_sphere = sphere;
     if (sphere) {
       add_sphere(object, record, lists);
     } else {

@@ -16,11 +16,11 @@ namespace metamer::gl {
 /// Context.
 class MultiPass {
  public:
-  /// `tables` of a method with bands.
+  /// `tables` of a method with bands; so many lights.
   static Result<MultiPass> create(const DirectTables& tables, std::uint32_t lights);
 
-  /// Draws one sample of all pixels, of which `names` says what each sees, and adds it to the
-  /// colours in binding 13. Everything else that shaders/stages/shade.comp.glsl reads is bound.
+  /// Draws one sample of the region's pixels and adds it to the colours in binding 13. What each
+  /// pixel sees is in texture unit 0, and all that shaders/stages/shade.comp.glsl reads is bound.
   /// Leaves the rest out when `cancelled`.
   Result<void> run(const Programs& programs, const Geometry& geometry, const RegionView& view,
                    SamplePoint place, const std::atomic<bool>& cancelled);

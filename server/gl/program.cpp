@@ -15,8 +15,10 @@ std::string log(Get get, GLuint object) {
   return text.data();
 }
 
-/// A shader that ends with its scope; a program keeps what it has been given.
-class Shader {
+}  // namespace
+
+/// One that ends with its scope; a program keeps what it has been given.
+class Program::Shader {
  public:
   Shader(GLenum stage, const std::string& source) : name_(glCreateShader(stage)) {
     const char* text = source.c_str();
@@ -39,36 +41,27 @@ class Shader {
   GLuint name_;
 };
 
-Result<void> link(GLuint program) {
-  glLinkProgram(program);
+Result<Program> Program::link(std::initializer_list<const Shader*> shaders) {
+  for (const Shader* shader : shaders)
+    if (auto done = shader->compiled(); !done) return tl::unexpected(done.error());
+  Program program;
+  program.name_ = glCreateProgram();
+  for (const Shader* shader : shaders) glAttachShader(program.name_, shader->name());
+  glLinkProgram(program.name_);
   GLint done = 0;
-  glGetProgramiv(program, GL_LINK_STATUS, &done);
-  if (done) return {};
-  return problem("a shader does not link: " + log(glGetProgramInfoLog, program));
+  glGetProgramiv(program.name_, GL_LINK_STATUS, &done);
+  if (!done) return problem("a shader does not link: " + log(glGetProgramInfoLog, program.name_));
+  return program;
 }
-
-}  // namespace
 
 Result<Program> Program::compute(const std::string& source) {
   const Shader shader(GL_COMPUTE_SHADER, source);
-  if (auto done = shader.compiled(); !done) return tl::unexpected(done.error());
-  Program program;
-  program.name_ = glCreateProgram();
-  glAttachShader(program.name_, shader.name());
-  if (auto done = link(program.name_); !done) return tl::unexpected(done.error());
-  return program;
+  return link({&shader});
 }
 
 Result<Program> Program::raster(const std::string& vertex, const std::string& fragment) {
   const Shader first(GL_VERTEX_SHADER, vertex), second(GL_FRAGMENT_SHADER, fragment);
-  for (const Shader* shader : {&first, &second})
-    if (auto done = shader->compiled(); !done) return tl::unexpected(done.error());
-  Program program;
-  program.name_ = glCreateProgram();
-  glAttachShader(program.name_, first.name());
-  glAttachShader(program.name_, second.name());
-  if (auto done = link(program.name_); !done) return tl::unexpected(done.error());
-  return program;
+  return link({&first, &second});
 }
 
 Program::Program(Program&& other) noexcept : name_(std::exchange(other.name_, 0)) {}

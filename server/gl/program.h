@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 
 #include "common/problem.h"
@@ -34,6 +35,8 @@ class Program {
   void set(const char* uniform, const std::array<std::array<float, 4>, 3>& rows) const;
 
  private:
+  class Shader;
+  static Result<Program> link(std::initializer_list<const Shader*> shaders);
   int place(const char* uniform) const;
 
   unsigned name_ = 0;

@@ -17,8 +17,8 @@ std::string stages(std::initializer_list<const char*> names) {
 /// Compiles one program after the other until one does not.
 class Compiler {
  public:
-  explicit Compiler(const RenderScene& scene)
-      : models_(material_source(scene)),
+  explicit Compiler(std::string models)
+      : models_(std::move(models)),
         surface_(models_ + stages({"camera", "geometry", "angles", "surface", "shadow", "color"})) {
   }
 
@@ -85,10 +85,11 @@ class Compiler {
 }  // namespace
 
 Result<std::shared_ptr<const Programs>> ProgramCache::get(const RenderScene& scene, Wanted wanted) {
-  const std::string key = (wanted.places ? "places " : "") +
-                          std::string(wanted.passes ? "passes " : "") + material_source(scene);
+  const std::string models = material_source(scene);
+  const std::string key =
+      std::string(wanted.places ? "places " : "") + (wanted.passes ? "passes " : "") + models;
   if (const auto found = known_.find(key); found != known_.end()) return found->second;
-  Compiler compiler(scene);
+  Compiler compiler(models);
   compiler.add_basics();
   if (wanted.places) compiler.add_places();
   if (wanted.passes) compiler.add_passes();

@@ -30,9 +30,9 @@ class Renderer {
   /// Of a region: what its pixels gather fits any device, and its tiles are told before long.
   static constexpr std::uint32_t max_side = 256;
 
-  /// Renders a part of the picture, at most max_side wide and high. Looks
-  /// at `cancelled` before each sample, light and pass, and then leaves the film as it is; `work`
-  /// counts samples of pixels.
+  /// Renders a part of the picture, at most max_side wide and high. Looks at `cancelled` before
+  /// each sample, light and pass, and then leaves the film as it is; `work` counts samples of
+  /// pixels.
   Result<void> render(const Rect& region, const Film& film, const std::atomic<bool>& cancelled,
                       std::atomic<std::uint64_t>& work);
 

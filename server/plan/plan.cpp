@@ -104,19 +104,19 @@ void notice_objects(const RenderScene& scene, v1::Plan& plan) {
   spheres.say("a sphere has no corners: it is shaded by PHONG", plan);
 }
 
-/// Says which mirrors the GL backend leaves out.
-void notice_mirrors(const RenderScene& scene, const v1::Settings& settings, v1::Plan& plan) {
-  if (needed_depth(scene, settings.depth()) == 0) return;
-  std::size_t count = 0, first = 0;
-  for (std::size_t i = scene.materials.size(); i-- > 0;) {
-    if (scene.materials[i].mirror <= 0) continue;
-    ++count;
-    first = i;
+/// Says what the settings ask of a backend that does not have it.
+void notice_backend(const RenderScene& scene, const v1::Settings& settings, v1::Plan& plan) {
+  if (settings.backend() == v1::GL && settings.depth() > 0) {
+    Group mirrors;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+      if (scene.materials[scene.objects[i].material].mirror > 0) mirrors.add(i);
+    mirrors.say("the gl backend has no mirrors", plan);
   }
-  v1::Notice* notice = plan.add_notice();
-  notice->set_field("material[" + std::to_string(first) + "].mirror");
-  notice->set_message("the gl backend has no mirrors" +
-                      (count > 1 ? " (and " + std::to_string(count - 1) + " more)" : ""));
+  if (settings.backend() == v1::CPU && settings.method().point().multi_pass()) {
+    v1::Notice* notice = plan.add_notice();
+    notice->set_field("settings.method.point.multi_pass");
+    notice->set_message("has no effect: the cpu backend has no passes");
+  }
 }
 
 /// Says where uniform wavelengths do not come to the end that was asked for.
@@ -170,12 +170,7 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
     if (!constants.k.nm.empty() && constants.k.nm != constants.n.nm)
       notice_gaps(constants.k, scene.constants_fields[i], Outside::hold, wavelengths, plan);
   }
-  if (gl) notice_mirrors(scene, settings, plan);
-  if (!gl && settings.method().point().multi_pass()) {
-    v1::Notice* notice = plan.add_notice();
-    notice->set_field("settings.method.point.multi_pass");
-    notice->set_message("has no effect: the cpu backend has no passes");
-  }
+  notice_backend(scene, settings, plan);
   notice_objects(scene, plan);
   notice_short_end(settings.method(), wavelengths, plan);
   notice_missed_light(scene, settings, wavelengths, plan);

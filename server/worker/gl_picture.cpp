@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "server/worker/regions.h"
+#include "server/gl/regions.h"
 
 namespace metamer {
 
@@ -29,9 +29,10 @@ Result<GlPicture> GlPicture::make(gl::Device& device, const std::string& key,
 Result<void> GlPicture::render(const v1::RenderTiles& message, const Film& film,
                                const std::atomic<bool>& stopped, std::atomic<std::uint64_t>& work,
                                const TileDone& tile_done) {
-  for (const Region& region : regions_of(message, gl::Renderer::max_side)) {
+  for (const gl::Region& region : gl::regions_of(message, gl::Renderer::max_side)) {
     if (auto done = renderer_.render(region.rect, film, stopped, work); !done) return done;
     if (stopped) return {};
+    // Camera rays alone: the GPU does not count those of shadows.
     for (const v1::TileRect& tile : region.tiles)
       tile_done(tile, std::uint64_t{tile.width()} * tile.height() * spp_);
   }

@@ -10,6 +10,7 @@
 #include "server/cpu/ticks.h"
 #include "server/cpu/tracer.h"
 #include "server/film/factor_sink.h"
+#include "server/gl/context.h"
 #include "server/plan/choose.h"
 #include "server/scene/camera_space.h"
 #include "server/scene/compile.h"
@@ -194,8 +195,8 @@ bool Job::prepare_method() {
 void Job::measure_promise(v1::JobDone& done) {
   const double elapsed = seconds_since(begun_);
   const Capabilities capabilities{.threads = options_.threads};
+  if (!build_geometry()) return;  // stopped
   v1::Accuracy& accuracy = *done.mutable_accuracy();
-  if (!build_geometry()) return;
   *accuracy.mutable_error() =
       measure({*scene_, *geometry_, settings_, capabilities, stopped_, work_}, *method_);
   if (plan_.auto_().has_deadline()) return accuracy.set_kept(elapsed <= plan_.auto_().deadline());

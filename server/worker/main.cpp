@@ -25,7 +25,6 @@ constexpr const char* usage =
     "usage: metamer-worker --store DIR --threads N [--gl-device auto|reference|N]\n"
     "Started by metamerd; descriptor 3 is its socket, descriptor 4 the picture's memory.\n";
 
-/// Exit codes: 0 the daemon is gone, 1 this machine or this daemon can't run it, 2 usage.
 /// Opens the GL device, with all files that its driver wants, and frees it for the lane's thread.
 std::unique_ptr<metamer::gl::Device> open_device(const std::string& which, metamer::Link& link) {
   setenv("MESA_SHADER_CACHE_DISABLE", "1", 0);  // Programs are kept in memory; no files in $HOME.
@@ -41,6 +40,7 @@ std::unique_ptr<metamer::gl::Device> open_device(const std::string& which, metam
   return std::make_unique<metamer::gl::Device>(std::move(*device));
 }
 
+/// Exit codes: 0 the daemon is gone, 1 this machine or this daemon can't run it, 2 usage.
 int run(metamer::WorkerOptions options, const std::string& gl_device) {
 #ifdef __AVX2__
   if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) {

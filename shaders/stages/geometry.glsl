@@ -9,7 +9,6 @@ struct Object {
     uint material;
     uint shading;      // v1::Shading
     uint has_normals;
-    uint is_sphere;
 };
 
 layout(std430, binding = 0) readonly buffer Positions { float position_of[]; };

@@ -2,11 +2,9 @@
 // the CPU backend. Nodes lie in the order of a walk that enters every box; who misses one goes on behind
 // its part of the walk, so there is no stack.
 
-struct Node {
-    uvec4 low;   // bits of x y z; then what it holds: 0 boxes, else 1 + first · 8 + count of primitives
-    uvec4 high;  // bits of x y z; then where the walk goes on behind it
-};
+// Of each node: bits of x y z; then what it holds, 0 for boxes, else 1 + first · 8 + count of primitives.
 layout(std430, binding = 4) readonly buffer Lows { uvec4 low_of[]; };
+// Bits of x y z; then where the walk goes on behind its part.
 layout(std430, binding = 5) readonly buffer Highs { uvec4 high_of[]; };
 layout(std430, binding = 6) readonly buffer Primitives { uint primitive_of[]; };
 uniform uint node_count;

@@ -168,6 +168,28 @@ TEST(Overrides, WhatTheyReplacedIsTheirs) {
   EXPECT_EQ(option_of(*replaced, "settings.spp_of_another_kind"), "");
 }
 
+TEST(Overrides, ABackendAndItsPassesAreSettings) {
+  v1::Scene scene;
+  Overrides overrides;
+  overrides.backend = "gl";
+  overrides.multi_pass = true;
+  overrides.samples = "400:700:10";
+  ASSERT_TRUE(apply(overrides, scene));
+  EXPECT_EQ(scene.settings().backend(), v1::GL);
+  EXPECT_TRUE(scene.settings().method().point().multi_pass());
+  EXPECT_EQ(scene.settings().method().point().step(), 10);
+
+  overrides.samples.reset();
+  overrides.method = "exact";
+  EXPECT_EQ(error_of(overrides), "--multi-pass is for --method point");
+  overrides.method.reset();
+  overrides.tolerance = 1;
+  EXPECT_EQ(error_of(overrides), "--tolerance is for --method auto");
+  Overrides unknown;
+  unknown.backend = "software";
+  EXPECT_EQ(error_of(unknown), "--backend: no backend named \"software\"; there are cpu, gl");
+}
+
 TEST(Overrides, ErrorsSayWhatWasExpected) {
   Overrides both;
   both.samples = "400:700:5";

@@ -12,7 +12,6 @@
 #include <fstream>
 #include <limits>
 #include <random>
-#include <regex>
 
 #include "common/color/srgb.h"
 #include "image_file.h"
@@ -255,7 +254,8 @@ TEST_F(ImageFile, TheSamePictureIsTheSameBytes) {
     const std::string bytes = slurp(folder_ / ("a" + std::string(extension)));
     EXPECT_EQ(bytes, slurp(folder_ / ("b" + std::string(extension))));
     // Two pictures of one second would agree with the time in them, too.
-    EXPECT_FALSE(std::regex_search(bytes, std::regex("[0-9]{4}:[0-9]{2}:[0-9]{2} ")));
+    for (const char* name : {"capDate", "DateTime", "tIME"})
+      EXPECT_EQ(bytes.find(name), std::string::npos) << name;
   }
 }
 

@@ -212,6 +212,22 @@ TEST_F(JobTest, TheQueueIsFirstComeFirstServedAndARetriedJobComesBeforeAll) {
   EXPECT_EQ(queue.next(v1::CPU), nullptr);
 }
 
+TEST_F(JobTest, EachBackendGetsItsOwnJobsInTheirOrder) {
+  JobQueue queue(1 << 20);
+  v1::Submit by_gl;
+  by_gl.set_backend(v1::GL);
+  const auto first = queue.submit({}, AssetHolds(*store_)).value();
+  EXPECT_FALSE(queue.has_work(v1::GL));
+  const auto second = queue.submit(by_gl, AssetHolds(*store_)).value();
+  const auto third = queue.submit({}, AssetHolds(*store_)).value();
+  EXPECT_TRUE(queue.has_work(v1::GL));
+  EXPECT_EQ(queue.next(v1::GL), second);
+  EXPECT_FALSE(queue.has_work(v1::GL));
+  EXPECT_EQ(queue.next(v1::GL), nullptr);
+  EXPECT_EQ(queue.next(v1::CPU), first);
+  EXPECT_EQ(queue.next(v1::CPU), third);
+}
+
 TEST_F(JobTest, AFullQueueRefusesUntilAJobEnds) {
   JobQueue queue(1 << 20);
   for (std::size_t i = 0; i < max_live_jobs; ++i) {

@@ -27,6 +27,28 @@ TEST(Plan, GoesNoDeeperThanItsMirrors) {
   EXPECT_EQ(plan(scene("spectrum { standard: 'E' }", "mirror: 0.1", "depth: 9")).depth(), 9u);
 }
 
+TEST(Plan, SaysWhatTheGlBackendLeavesOut) {
+  const v1::Plan gl = plan(scene("spectrum { standard: 'E' }", "mirror: 0.1", "backend: GL"));
+  EXPECT_EQ(gl.backend(), "gl");
+  EXPECT_EQ(gl.depth(), 0u);
+  ASSERT_EQ(gl.notice_size(), 1);
+  EXPECT_EQ(gl.notice(0).field(), "object[0]");
+  EXPECT_EQ(gl.notice(0).message(), "the gl backend has no mirrors");
+  // The scene's other material mirrors, and no object is of it.
+  EXPECT_EQ(plan(scene("spectrum { standard: 'E' }", "", "backend: GL")).notice_size(), 0);
+  EXPECT_EQ(plan(scene("spectrum { standard: 'E' }", "mirror: 0.1", "backend: GL depth: 0"))
+                .notice_size(),
+            0);
+}
+
+TEST(Plan, SaysThatTheCpuHasNoPasses) {
+  const std::string passes = "method { point { from: 400 to: 700 step: 5 multi_pass: true } } ";
+  const v1::Plan cpu = plan(scene("spectrum { standard: 'E' }", "", passes));
+  ASSERT_EQ(cpu.notice_size(), 1);
+  EXPECT_EQ(cpu.notice(0).field(), "settings.method.point.multi_pass");
+  EXPECT_EQ(plan(scene("spectrum { standard: 'E' }", "", passes + "backend: GL")).notice_size(), 0);
+}
+
 TEST(Plan, ListsOnlyTheModelsThatObjectsUse) {
   const v1::Plan lambert = plan(scene("spectrum { standard: 'E' }", "", ""));
   EXPECT_EQ(lambert.models_size(), 1);

@@ -1,9 +1,9 @@
-#include "server/worker/regions.h"
+#include "server/gl/regions.h"
 
 #include <algorithm>
 #include <map>
 
-namespace metamer {
+namespace metamer::gl {
 namespace {
 
 Rect around(const Rect& a, const v1::TileRect& b) {
@@ -32,4 +32,4 @@ std::vector<Region> regions_of(const v1::RenderTiles& message, std::uint32_t sid
   return regions;
 }
 
-}  // namespace metamer
+}  // namespace metamer::gl

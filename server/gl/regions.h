@@ -5,7 +5,7 @@
 #include "metamer/v1/worker.pb.h"
 #include "server/film/film.h"
 
-namespace metamer {
+namespace metamer::gl {
 
 /// Tiles that the GL backend renders together, as it would take as long for each of them alone.
 struct Region {
@@ -17,4 +17,4 @@ struct Region {
 /// the region of the first tile first.
 std::vector<Region> regions_of(const v1::RenderTiles& message, std::uint32_t side);
 
-}  // namespace metamer
+}  // namespace metamer::gl
