@@ -52,28 +52,12 @@ Result<std::vector<std::string>> apply(const DevelopmentOptions& options,
 }
 
 Result<PlannedDeveloping> planned_developing(const v1::Plan& plan) {
-  Result<RgbSpace> space = to_rgb_space(plan.development());
-  if (!space) return tl::unexpected(std::move(space.error()));
-  PlannedDeveloping result{.developing = {.space = std::move(*space),
-                                          .adaptation = identity3,
+  auto planned = planned_development(plan);
+  if (!planned) return tl::unexpected(std::move(planned.error()));
+  return PlannedDeveloping{.developing = {.space = std::move(planned->space),
+                                          .adaptation = planned->adaptation,
                                           .linear = plan.development().linear()},
-                           .unadapted = {}};
-
-  const Adaptation adaptation = to_adaptation(plan.development().adaptation());
-  if (adaptation == Adaptation::none) return result;
-  if (plan.source_white_size() != 3) {
-    result.unadapted = "the dominant light has no white";
-    return result;
-  }
-  const auto matrix = adaptation_matrix(
-      adaptation, {plan.source_white(0), plan.source_white(1), plan.source_white(2)},
-      white_xyz(result.developing.space.primaries.white));
-  if (matrix) {
-    result.developing.adaptation = *matrix;
-  } else {
-    result.unadapted = matrix.error().message;
-  }
-  return result;
+                           .unadapted = std::move(planned->unadapted)};
 }
 
 }  // namespace metamer::cli

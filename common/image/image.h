@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -57,6 +59,10 @@ struct GamutReport {
 Result<GamutReport> write_image(const Image& xyz_image, const std::filesystem::path& file, bool xyz,
                                 const std::map<std::string, std::string>& metadata,
                                 const Developing& developing = {});
+
+/// Writes 8-bit RGB of the space as it is, into a .png; the file as write_image has it.
+Result<void> write_rgb(int width, int height, std::span<const std::uint8_t> rgb,
+                       const std::filesystem::path& file, const Developing& developing);
 
 /// What a file says of its picture.
 struct ImageHeader {

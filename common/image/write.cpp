@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "common/color/eight_bit.h"
 #include "common/image/icc.h"
 #include "common/image/image.h"
 #include "common/image/oiio.h"
@@ -16,16 +17,14 @@ namespace {
 using Bytes = std::vector<unsigned char>;
 
 /// Counts what clipping loses, beyond what rounding to 8 bits does, and gives the bytes.
-Bytes to_8_bit(const std::vector<float>& rgb, const Transfer& transfer, GamutReport& gamut) {
+Bytes to_8_bit(const std::vector<float>& rgb, const EightBit& codes, GamutReport& gamut) {
   Bytes bytes(rgb.size());
   for (std::size_t i = 0; i < rgb.size(); i += 3) {
     bool negative = false, above = false;
     for (std::size_t c = 0; c < 3; ++c) {
-      const double code = 255 * encode(transfer, static_cast<double>(rgb[i + c]));
-      negative = negative || !(code > -0.5);
-      above = above || code >= 255.5;
-      // The order of max's arguments turns NaN into 0.
-      bytes[i + c] = static_cast<unsigned char>(std::lround(std::min(255.0, std::max(0.0, code))));
+      negative = negative || codes.is_below(rgb[i + c]);
+      above = above || codes.is_above(rgb[i + c]);
+      bytes[i + c] = codes(rgb[i + c]);
     }
     gamut.negative += negative ? 1 : 0;
     gamut.above += above ? 1 : 0;
@@ -92,7 +91,7 @@ Result<Bytes> encode_file(const Image& image, const std::string& format, bool xy
 
   // Convert and encode a few rows at a time.
   const Matrix3 matrix = multiply(developing.space.from_xyz, developing.adaptation);
-  const Transfer transfer = developing.linear ? Transfer{} : developing.space.transfer;
+  const EightBit codes(developing.linear ? Transfer{} : developing.space.transfer);
   for (int y = 0; good && y < image.height; y += oiio::rows_at_a_time) {
     const int end = std::min(image.height, y + oiio::rows_at_a_time);
     if (xyz) {
@@ -103,7 +102,7 @@ Result<Bytes> encode_file(const Image& image, const std::string& format, bool xy
     std::vector<float> rgb(3 * pixels);
     to_linear_rgb(matrix, image.at(0, y), rgb.data(), pixels);
     if (png) {
-      const Bytes encoded = to_8_bit(rgb, transfer, gamut);
+      const Bytes encoded = to_8_bit(rgb, codes, gamut);
       good = output->write_scanlines(y, end, 0, OIIO::TypeDesc::UINT8, encoded.data());
     } else {
       good = output->write_scanlines(y, end, 0, OIIO::TypeDesc::FLOAT, rgb.data());
@@ -134,6 +133,28 @@ Result<GamutReport> write_image(const Image& xyz_image, const std::filesystem::p
           .and_then([&](const Bytes& bytes) { return write_whole_file(file, bytes); });
   if (!done) return oiio::file_problem(file, done.error().message);
   return gamut;
+}
+
+Result<void> write_rgb(int width, int height, std::span<const std::uint8_t> rgb,
+                       const std::filesystem::path& file, const Developing& developing) {
+  oiio::stay_in_this_thread();
+  if (oiio::format_of(file) != "png")
+    return oiio::file_problem(file, "8-bit colours are written as .png");
+  Bytes bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  const auto output = OIIO::ImageOutput::create("png");
+  if (!output) return problem("can't write png: " + oiio::first_line(OIIO::geterror()));
+  output->threads(1);
+  OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::UINT8);
+  add_png_space(developing, spec);
+  OIIO::Filesystem::IOProxy* proxy = &memory;
+  spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+  const bool good = output->open("memory.png", spec) &&
+                    output->write_image(OIIO::TypeDesc::UINT8, rgb.data()) && output->close();
+  if (!good) return oiio::file_problem(file, oiio::first_line(output->geterror()));
+  const auto done = write_whole_file(file, bytes);
+  if (!done) return oiio::file_problem(file, done.error().message);
+  return {};
 }
 
 }  // namespace metamer

@@ -79,4 +79,26 @@ Result<RgbSpace> to_rgb_space(const v1::Development& development) {
   return rgb_space(to_standard_space(development.rgb_space()));
 }
 
+Result<PlannedDevelopment> planned_development(const v1::Plan& plan) {
+  Result<RgbSpace> space = to_rgb_space(plan.development());
+  if (!space) return tl::unexpected(std::move(space.error()));
+  PlannedDevelopment result{.space = std::move(*space), .adaptation = identity3, .unadapted = {}};
+
+  const Adaptation adaptation = to_adaptation(plan.development().adaptation());
+  if (adaptation == Adaptation::none) return result;
+  if (plan.source_white_size() != 3) {
+    result.unadapted = "the dominant light has no white";
+    return result;
+  }
+  const auto matrix = adaptation_matrix(
+      adaptation, {plan.source_white(0), plan.source_white(1), plan.source_white(2)},
+      white_xyz(result.space.primaries.white));
+  if (matrix) {
+    result.adaptation = *matrix;
+  } else {
+    result.unadapted = matrix.error().message;
+  }
+  return result;
+}
+
 }  // namespace metamer

@@ -3,7 +3,7 @@
 #include "common/color/adaptation.h"
 #include "common/color/rgb_space.h"
 #include "common/problem.h"
-#include "metamer/v1/scene.pb.h"
+#include "metamer/v1/plan.pb.h"
 
 /// The messages of a development as the colour library's own values.
 namespace metamer {
@@ -15,5 +15,15 @@ StandardSpace to_standard_space(v1::RgbSpace space);
 /// The space that a development names, sRGB when it names none. Errors, with the field inside the
 /// development ("primaries.red"): those of make_rgb_space, a chromaticity that has not two numbers.
 Result<RgbSpace> to_rgb_space(const v1::Development& development);
+
+/// How a plan's X Y Z become RGB.
+struct PlannedDevelopment {
+  RgbSpace space;
+  Matrix3 adaptation = identity3;  ///< X Y Z as rendered → as seen under the white of the space.
+  std::string unadapted;  ///< Why the adaptation that was asked for can't be done; empty: it can.
+};
+
+/// Error: a space that there can't be.
+Result<PlannedDevelopment> planned_development(const v1::Plan& plan);
 
 }  // namespace metamer
