@@ -24,6 +24,7 @@ struct AllOptions {
   SpectraCommands spectra;
   BenchOptions bench;
   TradeoffOptions tradeoff;
+  ViewOptions view;
   CompareOptions compare;
 };
 
@@ -49,6 +50,25 @@ void add_scene_commands(CLI::App& app, AllOptions& all, Action& chosen) {
   add_scene(check_command, all.check.scene);
   add_overrides(check_command, all.check.overrides);
   add_common(check_command, all.check.common);
+
+  CLI::App& view_command =
+      add_command(app, "view", "look at a scene while the camera moves, and measure the frames",
+                  chosen, [&] { return view(all.view); });
+  add_scene(view_command, all.view.scene);
+  view_command.add_option("--record", all.view.frames, "so many frames")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  view_command
+      .add_option("--swing", all.view.degrees, "of the camera around its target, to each side")
+      ->check(CLI::Range(0.0, 180.0))
+      ->type_name("DEGREES")
+      ->capture_default_str();
+  view_command.add_option("--rate", all.view.rate, "frames a second, at most")
+      ->check(CLI::PositiveNumber);
+  view_command.add_option("-o,--output", all.view.output,
+                          "a .png of the last frame, once it has all its samples");
+  add_overrides(view_command, all.view.overrides);
+  add_common(view_command, all.view.common);
 
   CLI::App& explain_command = add_command(
       app, "explain", "say what a scene needs, and what each method would cost and miss", chosen,

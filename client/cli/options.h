@@ -207,6 +207,16 @@ struct TradeoffOptions {
   std::uint32_t rounds = 3;
 };
 
+struct ViewOptions {
+  CommonOptions common;
+  std::string scene;
+  Overrides overrides;
+  std::uint32_t frames = 60;
+  double degrees = 10;         ///< That the camera swings to both sides of its place.
+  std::optional<double> rate;  ///< Frames a second, at most.
+  std::string output;          ///< A .png of the complete picture; empty: none.
+};
+
 /// Two picture files; no server.
 struct CompareOptions {
   bool json = false;

@@ -1,143 +1,24 @@
 #include "client/session/session.h"
 
 #include <algorithm>
-#include <boost/asio.hpp>
-#include <boost/asio/experimental/channel.hpp>
 #include <chrono>
 #include <map>
-#include <optional>
 #include <utility>
 
-#include "common/wire/channel.h"
+#include "client/session/exchange.h"
 #include "common/wire/endpoint.h"
 #include "common/wire/protocol_version.h"
 
 namespace metamer {
 namespace {
 
-namespace asio = boost::asio;
-using boost::system::error_code;
 using Kind = SessionError::Kind;
-
-/// Answers that wait for the coroutine that asked. A full one holds the reader back, and so in
-/// the end the server: memory stays bounded however slow we are.
-using Inbox = asio::experimental::channel<void(error_code, v1::Envelope)>;
-constexpr std::size_t inbox_size = 16;
 
 /// A server may wait 5 s for its first worker before it says Welcome; on a loaded machine twice
 /// that.
 constexpr std::chrono::seconds welcome_timeout{15};
 
-constexpr auto as_tuple = asio::as_tuple(asio::use_awaitable);
-
-tl::unexpected<SessionError> refused(const v1::Error& error) {
-  SessionError result;
-  result.kind = error.code() == v1::Error::VERSION ? Kind::version : Kind::refused;
-  result.message = error.message();
-  result.code = error.code();
-  result.problems.assign(error.problem().begin(), error.problem().end());
-  return tl::unexpected<SessionError>(std::move(result));
-}
-
-tl::unexpected<SessionError> unexpected_answer() {
-  return session_error(Kind::disconnected, "the server sent an answer that fits no question");
-}
-
 }  // namespace
-
-struct Session::State {
-  State(wire::Socket socket, std::string named)
-      : channel(std::move(socket), wire::Peer::server),
-        server(std::move(named)),
-        write_turn(channel.executor(), 1) {}
-
-  /// Ends every exchange, under way or to come, with this reason.
-  void lose(std::string reason) {
-    if (lost) return;
-    lost = "lost the connection to " + server + ": " + reason;
-    channel.close();
-    for (auto& [id, inbox] : inboxes) inbox->close();
-  }
-  tl::unexpected<SessionError> why_lost() const {
-    return session_error(Kind::disconnected, lost.value_or("the session is closed"));
-  }
-
-  static asio::awaitable<void> read_all(std::shared_ptr<State> state);
-  asio::awaitable<void> write(const v1::Envelope& envelope);
-
-  wire::Channel channel;
-  std::string server;
-  v1::Welcome welcome;
-  std::map<std::uint64_t, std::shared_ptr<Inbox>> inboxes;
-  std::uint64_t last_id = 0;
-  std::optional<std::string> lost;
-  /// Holds a token while somebody writes: the channel takes one writer at a time.
-  asio::experimental::channel<void(error_code)> write_turn;
-};
-
-/// One question and its answers: a request's number, and the inbox for it while this lives.
-class Session::Exchange {
- public:
-  explicit Exchange(State& state)
-      : state_(state),
-        id_(++state.last_id),
-        inbox_(std::make_shared<Inbox>(state.channel.executor(), inbox_size)) {
-    state.inboxes.emplace(id_, inbox_);
-  }
-  Exchange(const Exchange&) = delete;
-  Exchange& operator=(const Exchange&) = delete;
-  ~Exchange() {
-    inbox_->close();
-    state_.inboxes.erase(id_);
-  }
-
-  std::uint64_t id() const { return id_; }
-  bool has_answer() const { return inbox_->ready(); }
-
-  /// The next answer; an Error is turned into one of ours.
-  asio::awaitable<Answer<v1::Envelope>> receive() {
-    if (state_.lost && !inbox_->ready()) co_return state_.why_lost();
-    auto [error, envelope] = co_await inbox_->async_receive(as_tuple);
-    if (error) co_return state_.why_lost();
-    if (envelope.has_error()) co_return refused(envelope.error());
-    co_return Answer<v1::Envelope>(std::move(envelope));
-  }
-
- private:
-  State& state_;
-  std::uint64_t id_;
-  std::shared_ptr<Inbox> inbox_;
-};
-
-asio::awaitable<void> Session::State::read_all(std::shared_ptr<State> state) {
-  while (!state->lost) {
-    v1::Envelope envelope;
-    const auto got = co_await state->channel.read(envelope);
-    if (!got) {
-      state->lose(got.error().message);
-      co_return;
-    }
-    const auto found = state->inboxes.find(envelope.request_id());
-    if (found == state->inboxes.end()) {
-      // What belongs to no request is about the connection, or comes too late.
-      if (envelope.has_error() && envelope.request_id() == 0)
-        state->lose(envelope.error().message());
-      continue;
-    }
-    const std::shared_ptr<Inbox> inbox = found->second;
-    co_await inbox->async_send(error_code(), std::move(envelope), as_tuple);
-  }
-}
-
-asio::awaitable<void> Session::State::write(const v1::Envelope& envelope) {
-  co_await write_turn.async_send(error_code(), as_tuple);
-  if (!lost) {
-    const auto written = co_await channel.write(envelope);
-    // The server may have said why before it closed: let the reader come to it.
-    if (!written) channel.shutdown_receive();
-  }
-  co_await write_turn.async_receive(as_tuple);
-}
 
 Session::Session(std::shared_ptr<State> state) : state_(std::move(state)) {}
 
@@ -244,7 +125,7 @@ asio::awaitable<Answer<v1::JobSummary>> Session::resume(std::uint64_t job_id) {
   return control(std::move(request));
 }
 
-asio::awaitable<Answer<std::uint64_t>> Session::submit(const Submission& submission) {
+asio::awaitable<Answer<void>> Session::send_missing(const Submission& submission) {
   const v1::Limits& limits = state_->welcome.limits();
   if (submission.uploads.size() > limits.assets_per_job())
     co_return session_error(
@@ -274,11 +155,17 @@ asio::awaitable<Answer<std::uint64_t>> Session::submit(const Submission& submiss
     }
   }
 
-  // Send only that, then the job.
+  // Send only that.
   for (const auto& [digest, upload] : missing) {
     Answer<void> sent = co_await send(*upload);
     if (!sent) co_return tl::unexpected<SessionError>(std::move(sent.error()));
   }
+  co_return Answer<void>();
+}
+
+asio::awaitable<Answer<std::uint64_t>> Session::submit(const Submission& submission) {
+  Answer<void> sent = co_await send_missing(submission);
+  if (!sent) co_return tl::unexpected<SessionError>(std::move(sent.error()));
   v1::Envelope request;
   *request.mutable_submit() = submission.request;
   Answer<v1::Envelope> answer = co_await ask(std::move(request));

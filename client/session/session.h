@@ -41,11 +41,13 @@ class Session {
   boost::asio::awaitable<Answer<void>> watch(v1::Watch request, OnEvent on_event);
 
  private:
+  friend class View;
   struct State;
   class Exchange;
   explicit Session(std::shared_ptr<State> state);
   boost::asio::awaitable<Answer<v1::Envelope>> ask(v1::Envelope request);
   boost::asio::awaitable<Answer<v1::JobSummary>> control(v1::Envelope request);
+  boost::asio::awaitable<Answer<void>> send_missing(const Submission& submission);
   boost::asio::awaitable<Answer<void>> send(const Upload& upload);
 
   std::shared_ptr<State> state_;

@@ -8,6 +8,7 @@ namespace metamer::limits {
 
 inline constexpr std::uint32_t max_side = 16384;        ///< Pixels; the largest GL texture.
 inline constexpr std::uint64_t max_pixels = 64u << 20;  ///< 768 MiB of XYZ in the daemon.
+inline constexpr std::uint64_t max_view_pixels = 4u << 20;  ///< 12 MiB a frame; 2560 × 1600.
 inline constexpr std::uint32_t max_spp = 1024;          ///< A minute a tile is not a preview.
 inline constexpr std::uint32_t max_depth = 32;          ///< 0.9³² = 3 %: nothing more to see.
 inline constexpr std::uint32_t max_threads = 256;

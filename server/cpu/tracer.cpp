@@ -8,7 +8,7 @@ namespace metamer::cpu {
 namespace {
 
 /// Pixels that share a packet, by the samples of each: at most eight samples together.
-std::pair<std::uint32_t, std::uint32_t> block_size(unsigned spp) {
+std::pair<std::uint32_t, std::uint32_t> block_size(std::size_t spp) {
   if (spp == 1) return {4, 2};
   if (spp == 2) return {2, 2};
   if (spp <= 4) return {2, 1};
@@ -18,37 +18,40 @@ std::pair<std::uint32_t, std::uint32_t> block_size(unsigned spp) {
 }  // namespace
 
 Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const v1::Plan& plan)
+    : Tracer(scene, geometry,
+             Frame{plan.width(), plan.height(), plan.depth(), sample_pattern(plan.spp())}) {}
+
+Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const Frame& frame)
     : scene_(scene),
       geometry_(geometry),
       shading_(scene, geometry),
-      depth_(plan.depth()),
-      spp_(plan.spp()),
-      width_(plan.width()),
-      height_(plan.height()) {
-  std::tie(block_width_, block_height_) = block_size(spp_);
-  prepare_samples();
+      depth_(frame.depth),
+      width_(frame.width),
+      height_(frame.height) {
+  std::tie(block_width_, block_height_) = block_size(frame.samples.size());
+  prepare_samples(frame.samples);
 
   // Scale the camera's axes to pixels; pixels are square.
   const RenderCamera& camera = scene.camera;
-  const double pixel = 2 * camera.tan_half_fov / plan.height();
+  const double pixel = 2 * camera.tan_half_fov / frame.height;
   eye_ = to_lanes(camera.eye);
   across_ = to_lanes(Eigen::Vector3d(camera.right * pixel));
   down_ = to_lanes(Eigen::Vector3d(-camera.up * pixel));
-  corner_ = to_lanes(Eigen::Vector3d(camera.forward - camera.right * (pixel * plan.width() / 2) +
-                                     camera.up * (pixel * plan.height() / 2)));
+  corner_ = to_lanes(Eigen::Vector3d(camera.forward - camera.right * (pixel * frame.width / 2) +
+                                     camera.up * (pixel * frame.height / 2)));
 }
 
-void Tracer::prepare_samples() {
-  const std::vector<SamplePoint> pattern = sample_pattern(spp_);
-  const unsigned count = spp_ * block_width_ * block_height_;
+void Tracer::prepare_samples(const std::vector<SamplePoint>& pattern) {
+  const auto spp = static_cast<unsigned>(pattern.size());
+  const unsigned count = spp * block_width_ * block_height_;
   samples_.resize((count + lane_count - 1) / lane_count);
   for (unsigned i = 0; i < count; ++i) {
-    const unsigned pixel = i / spp_, lane = i % lane_count;
+    const unsigned pixel = i / spp, lane = i % lane_count;
     Samples& samples = samples_[i / lane_count];
     samples.active[lane] = -1;
     samples.pixel[lane] = pixel;
-    samples.x[lane] = static_cast<float>(pixel % block_width_) + pattern[i % spp_].x;
-    samples.y[lane] = static_cast<float>(pixel / block_width_) + pattern[i % spp_].y;
+    samples.x[lane] = static_cast<float>(pixel % block_width_) + pattern[i % spp].x;
+    samples.y[lane] = static_cast<float>(pixel / block_width_) + pattern[i % spp].y;
   }
 }
 

@@ -18,7 +18,14 @@ namespace metamer::cpu {
 /// shared by threads.
 class Tracer {
  public:
+  /// What is traced, from the scene's camera.
+  struct Frame {
+    std::uint32_t width, height;       ///< Pixels.
+    std::uint32_t depth;               ///< Mirrors that a path may meet.
+    std::vector<SamplePoint> samples;  ///< Of each pixel; at least one.
+  };
   /// The references must outlive the tracer.
+  Tracer(const RenderScene& scene, const EmbreeScene& geometry, const Frame& frame);
   Tracer(const RenderScene& scene, const EmbreeScene& geometry, const v1::Plan& plan);
 
   /// A thread's working memory.
@@ -46,14 +53,14 @@ class Tracer {
     std::array<std::uint32_t, 8> pixel{};  ///< Of the block, row by row.
   };
 
-  void prepare_samples();
+  void prepare_samples(const std::vector<SamplePoint>& pattern);
   void trace(Packet& packet, Workspace& workspace) const;
   void reflect(Packet& packet, const Hits& hits, Workspace& workspace) const;
 
   const RenderScene& scene_;
   const EmbreeScene& geometry_;
   Shading shading_;
-  unsigned depth_, spp_;
+  unsigned depth_;
   std::uint32_t width_, height_;
   std::uint32_t block_width_, block_height_;  ///< Pixels of a packet below eight samples; else 1×1.
   std::vector<Samples> samples_;              ///< Of one block.

@@ -23,11 +23,13 @@ void RegionView::set(const Program& program, SamplePoint place) const {
   program.set("corner", to_array(camera.forward - camera.right * (pixel * width / 2) +
                                  camera.up * (pixel * height / 2)));
   program.set("forward", to_array(camera.forward));
+  program.set("eye", to_array(camera.eye));
   program.set("region", std::array{region.x, region.y});
   program.set("region_size", std::array{region.width, region.height});
   program.set("place", std::array{place.x, place.y});
 
-  // A sample is seen in the middle of its pixel; rows count downwards, as in the film.
+  // Of a point from the eye: a sample is seen in the middle of its pixel; rows count downwards, as
+  // in the film.
   const Eigen::Vector4d w = extend(camera.forward);
   const double left = width / 2.0 - region.x - double{place.x} + 0.5;
   const double top = height / 2.0 - region.y - double{place.y} + 0.5;

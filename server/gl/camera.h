@@ -9,7 +9,7 @@ namespace metamer::gl {
 
 /// A region of a picture as its camera sees it: the uniforms of shaders/stages/camera.glsl.
 struct RegionView {
-  const RenderCamera& camera;   ///< Its eye is the origin.
+  const RenderCamera& camera;
   std::uint32_t width, height;  ///< Of the picture, in pixels.
   Rect region;
 

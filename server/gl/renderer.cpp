@@ -15,8 +15,9 @@ class VertexArray {
  public:
   VertexArray() {
     glCreateVertexArrays(1, &name_);
-    glBindVertexArray(name_);
+    bind();
   }
+  void bind() const { glBindVertexArray(name_); }
   VertexArray(const VertexArray&) = delete;
   VertexArray& operator=(const VertexArray&) = delete;
   ~VertexArray() { glDeleteVertexArrays(1, &name_); }
@@ -74,7 +75,7 @@ std::vector<float> light_records(const RenderScene& scene) {
 Result<Renderer> Renderer::create(const RenderScene& scene, const Geometry& geometry,
                                   const v1::Plan& plan, const Method& method, ProgramCache& cache,
                                   bool timers) {
-  Renderer renderer(scene, geometry, plan);
+  Renderer renderer(scene, geometry);
   renderer.clock_ = std::make_unique<PassClock>(timers);
   const bool passes = plan.method().point().multi_pass();
   if (!passes) renderer.places_of_triangle_ = places_of_triangle(scene, geometry);
@@ -90,13 +91,6 @@ Result<Renderer> Renderer::create(const RenderScene& scene, const Geometry& geom
   }
   return renderer;
 }
-
-Renderer::Renderer(const RenderScene& scene, const Geometry& geometry, const v1::Plan& plan)
-    : scene_(scene),
-      geometry_(geometry),
-      width_(plan.width()),
-      height_(plan.height()),
-      spp_(plan.spp()) {}
 
 Result<void> Renderer::upload(const DirectTables& tables) {
   value_size_ = tables.size;
@@ -177,11 +171,12 @@ void Renderer::for_each_light(const Program& program, const Rect& region,
   }
 }
 
-/// Evaluates the models at the places of triangles, once for all samples and regions.
-void Renderer::evaluate_places() {
-  if (places_of_triangle_ == 0 || places_are_evaluated_) return;
-  places_are_evaluated_ = true;
+/// Evaluates the models at the places of triangles, once for all that is seen from one eye.
+void Renderer::evaluate_places(const RegionView& view) {
+  if (places_of_triangle_ == 0 || places_seen_from_ == view.camera.eye) return;
+  places_seen_from_ = view.camera.eye;
   const Program& program = programs_->places;
+  view.set(program, {0, 0});
   places_.bind_storage(3);
   program.use();
   clock_->run(Pass::places, [&] {
@@ -214,20 +209,25 @@ Result<void> Renderer::add_sample(const RegionView& view, SamplePoint place,
 }
 
 Result<void> Renderer::render(const Rect& region, const Film& film,
-                              const std::atomic<bool>& cancelled,
-                              std::atomic<std::uint64_t>& work) {
+                              std::span<const SamplePoint> samples,
+                              const std::atomic<bool>& cancelled, std::atomic<std::uint64_t>& work,
+                              const std::function<bool()>& others) {
   if (auto done = resize(region); !done) return done;
   weights_.clear();
   colors_.clear();
   bind();
-  evaluate_places();
   const VertexArray no_attributes;
-  const RegionView view{scene_.camera, width_, height_, region};
-  for (const SamplePoint& place : sample_pattern(spp_)) {
+  const RegionView view{scene_.camera, film.width, film.height, region};
+  evaluate_places(view);
+  for (const SamplePoint& place : samples) {
     if (cancelled) return {};
     if (auto done = add_sample(view, place, cancelled); !done) return done;
     if (auto sound = check_context(); !sound) return sound;
     work += std::uint64_t{region.width} * region.height;
+    if (others()) {
+      bind();
+      no_attributes.bind();
+    }
   }
   view.set(programs_->finish, {0, 0});
   clock_->run(Pass::color, [&] {
@@ -236,15 +236,15 @@ Result<void> Renderer::render(const Rect& region, const Film& film,
   if (const GLenum error = glGetError(); error != GL_NO_ERROR)
     return problem("GL error " + std::to_string(error) + " while rendering");
   if (cancelled) return {};
-  read_back(region, film);
+  read_back(region, film, samples.size());
   return {};
 }
 
-void Renderer::read_back(const Rect& region, const Film& film) const {
+void Renderer::read_back(const Rect& region, const Film& film, std::size_t samples) const {
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   std::vector<float> colors(std::size_t{region.width} * region.height * 4);
   colors_.read(colors);
-  const float scale = 1 / static_cast<float>(spp_);
+  const float scale = 1 / static_cast<float>(samples);
   const float* from = colors.data();
   for (std::uint32_t y = region.y; y < region.y + region.height; ++y)
     for (std::uint32_t x = region.x; x < region.x + region.width; ++x, from += 4)

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 
 #include "metamer/v1/plan.pb.h"
 #include "server/film/film.h"
@@ -21,8 +24,8 @@ namespace metamer::gl {
 /// weights; and a method's tables make X Y Z of them. No mirrors. Needs a current Context.
 class Renderer {
  public:
-  /// `scene` in camera space; it and `geometry` must outlive the renderer. Errors: what this device
-  /// does not hold or compile.
+  /// `scene` in camera space; it and `geometry` must outlive the renderer. Its camera may be
+  /// another one for each picture. Errors: what this device does not hold or compile.
   static Result<Renderer> create(const RenderScene& scene, const Geometry& geometry,
                                  const v1::Plan& plan, const Method& method, ProgramCache& cache,
                                  bool timers);
@@ -30,34 +33,37 @@ class Renderer {
   /// Of a region: what its pixels gather fits any device, and its tiles are told before long.
   static constexpr std::uint32_t max_side = 256;
 
-  /// Renders a part of the picture, at most max_side wide and high. Looks at `cancelled` before
-  /// each sample, light and pass, and then leaves the film as it is; `work` counts samples of
-  /// pixels.
-  Result<void> render(const Rect& region, const Film& film, const std::atomic<bool>& cancelled,
-                      std::atomic<std::uint64_t>& work);
+  /// Renders a part of the picture that fills the film: the mean of these samples of each pixel.
+  /// Looks at `cancelled` before each sample, light and pass, and then leaves the film as it is;
+  /// `work` counts samples of pixels. Between samples others may use the context: `others` says
+  /// whether they did. Errors: a region that this device does not hold.
+  Result<void> render(
+      const Rect& region, const Film& film, std::span<const SamplePoint> samples,
+      const std::atomic<bool>& cancelled, std::atomic<std::uint64_t>& work,
+      const std::function<bool()>& others = [] { return false; });
 
   const PassClock& clock() const { return *clock_; }
 
  private:
-  Renderer(const RenderScene& scene, const Geometry& geometry, const v1::Plan& plan);
+  Renderer(const RenderScene& scene, const Geometry& geometry)
+      : scene_(scene), geometry_(geometry) {}
   Result<void> upload(const DirectTables& tables);
   Result<void> resize(const Rect& region);
   void bind() const;
   void for_each_light(const Program& program, const Rect& region,
                       const std::atomic<bool>& cancelled) const;
-  void evaluate_places();
+  void evaluate_places(const RegionView& view);
   Result<void> add_sample(const RegionView& view, SamplePoint place,
                           const std::atomic<bool>& cancelled);
-  void read_back(const Rect& region, const Film& film) const;
+  void read_back(const Rect& region, const Film& film, std::size_t samples) const;
 
   const RenderScene& scene_;
   const Geometry& geometry_;
-  std::uint32_t width_, height_, spp_;
   std::shared_ptr<const Programs> programs_;
   Buffer materials_, values_, sensors_, lights_, places_, weights_, colors_;
   std::uint32_t value_size_ = 0, row_stride_ = 0, light_stride_ = 0, sensor_stride_ = 0;
   std::uint32_t places_of_triangle_ = 0;  ///< 0: models are evaluated at samples.
-  bool places_are_evaluated_ = false;
+  std::optional<Eigen::Vector3d> places_seen_from_;
   Target target_;
   std::unique_ptr<MultiPass> multi_pass_;  ///< Where the plan asks for it.
   std::unique_ptr<PassClock> clock_;

@@ -31,17 +31,25 @@ double reach(const RenderScene& scene) {
 
 }  // namespace
 
-RenderScene to_camera_space(RenderScene scene) {
+CameraSpace CameraSpace::of(const RenderScene& scene) {
   const double size = reach(scene);
-  const double scale = size > 0 ? std::exp2(-std::floor(std::log2(size))) : 1;
-  const Eigen::Vector3d eye = scene.camera.eye;
-  const Eigen::Affine3d map = Eigen::Scaling(scale) * Eigen::Translation3d(-eye);
+  return {scene.camera.eye, size > 0 ? std::exp2(-std::floor(std::log2(size))) : 1};
+}
+
+void CameraSpace::place(RenderScene& scene) const {
+  const Eigen::Affine3d map = Eigen::Scaling(scale) * Eigen::Translation3d(-origin);
   for (RenderObject& object : scene.objects) object.to_world = map * object.to_world;
-  for (RenderLight& light : scene.lights) {
-    light.reference_distance *= scale;
-    if (!light.directional) light.place = map * light.place;
-  }
-  scene.camera.eye.setZero();
+  for (RenderLight& light : scene.lights) place(light);
+  place(scene.camera);
+}
+
+void CameraSpace::place(RenderLight& light) const {
+  light.reference_distance *= scale;
+  if (!light.directional) light.place = scale * (light.place - origin);
+}
+
+RenderScene to_camera_space(RenderScene scene) {
+  CameraSpace::of(scene).place(scene);
   return scene;
 }
 

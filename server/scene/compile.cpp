@@ -49,31 +49,21 @@ class Compiler {
   Compiler(const v1::Scene& scene, const AssetReader& assets, const std::atomic<bool>& cancelled)
       : scene_(scene), assets_(assets), cancelled_(cancelled) {}
 
-  tl::expected<RenderScene, std::vector<Problem>> run() {
+  enum class Parts { all, appearance };
+  tl::expected<RenderScene, std::vector<Problem>> run(Parts parts) {
     problems_ = validate_scene(scene_);
     if (!problems_.empty()) return tl::unexpected(std::move(problems_));
-    camera();
+    result_.camera = compile_camera(scene_.camera());
     for (int i = 0; i < scene_.light_size(); ++i) light(i);
     for (int i = 0; i < scene_.material_size(); ++i) material(i);
-    for (int i = 0; i < scene_.object_size() && !cancelled_; ++i) object(i);
+    if (parts == Parts::all)
+      for (int i = 0; i < scene_.object_size() && !cancelled_; ++i) object(i);
     if (cancelled_ || !problems_.empty()) return tl::unexpected(std::move(problems_));
     return std::move(result_);
   }
 
  private:
   using SpectrumIndex = std::map<std::string, std::uint32_t>;
-
-  void camera() {
-    const v1::Camera& camera = scene_.camera();
-    const Eigen::Vector3d up = camera.has_up() ? to_vector(camera.up()) : Eigen::Vector3d::UnitY();
-    RenderCamera& to = result_.camera;
-    to.eye = to_vector(camera.eye());
-    to.forward = (to_vector(camera.target()) - to.eye).normalized();
-    to.right = to.forward.cross(up).normalized();
-    to.up = to.right.cross(to.forward);
-    const double fov = camera.has_vertical_fov() ? camera.vertical_fov() : 35;
-    to.tan_half_fov = std::tan(fov * std::numbers::pi / 360);
-  }
 
   void light(int index) {
     const v1::Light& light = scene_.light(index);
@@ -255,7 +245,25 @@ class Compiler {
 tl::expected<RenderScene, std::vector<Problem>> compile_scene(const v1::Scene& scene,
                                                               const AssetReader& assets,
                                                               const std::atomic<bool>& cancelled) {
-  return Compiler(scene, assets, cancelled).run();
+  return Compiler(scene, assets, cancelled).run(Compiler::Parts::all);
+}
+
+tl::expected<RenderScene, std::vector<Problem>> compile_appearance(const v1::Scene& scene,
+                                                                   const AssetReader& assets) {
+  const std::atomic<bool> never = false;
+  return Compiler(scene, assets, never).run(Compiler::Parts::appearance);
+}
+
+RenderCamera compile_camera(const v1::Camera& camera) {
+  const Eigen::Vector3d up = camera.has_up() ? to_vector(camera.up()) : Eigen::Vector3d::UnitY();
+  RenderCamera to;
+  to.eye = to_vector(camera.eye());
+  to.forward = (to_vector(camera.target()) - to.eye).normalized();
+  to.right = to.forward.cross(up).normalized();
+  to.up = to.right.cross(to.forward);
+  const double fov = camera.has_vertical_fov() ? camera.vertical_fov() : 35;
+  to.tan_half_fov = std::tan(fov * std::numbers::pi / 360);
+  return to;
 }
 
 }  // namespace metamer

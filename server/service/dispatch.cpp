@@ -68,6 +68,14 @@ Dispatch::Answer Dispatch::dispatch(v1::Envelope& request) {
       return order(Order::pause, request.pause().job_id());
     case Body::kResume:
       return order(Order::resume, request.resume().job_id());
+    case Body::kOpenView:
+      return open_view(request.request_id(), std::move(*request.mutable_open_view()));
+    case Body::kUpdateView:
+      return tell_view(request.update_view());
+    case Body::kNextFrame:
+      return tell_view(request.next_frame());
+    case Body::kCloseView:
+      return tell_view(request.close_view());
     case Body::kWelcome:
     case Body::kPong:
     case Body::kInfo:
@@ -78,6 +86,7 @@ Dispatch::Answer Dispatch::dispatch(v1::Envelope& request) {
     case Body::kJobList:
     case Body::kJobSummary:
     case Body::kError:
+    case Body::kViewEvent:
       return refuse(v1::Error::UNKNOWN_MESSAGE, "that message is the server's to send");
     case Body::BODY_NOT_SET:
       return refuse(v1::Error::UNKNOWN_MESSAGE, "this server does not know that message");
@@ -184,39 +193,40 @@ tl::expected<void, Refusal> Dispatch::take_chunk(const Digest& digest,
   return {};
 }
 
+/// Keeps a scene's assets from eviction, before anything else may need room.
+tl::expected<AssetHolds, Refusal> Dispatch::hold(const std::string& scene, const AssetNames& assets,
+                                                 v1::Backend backend) {
+  if (static_cast<std::size_t>(assets.size()) > max_assets_per_job) {
+    return refuse(v1::Error::LIMIT, "a scene with " + std::to_string(assets.size()) +
+                                        " assets is over the limit of " +
+                                        std::to_string(max_assets_per_job));
+  }
+  if (!v1::Backend_IsValid(backend))
+    return refuse(v1::Error::LIMIT, "there is no backend of number " + std::to_string(backend));
+  AssetHolds holds(house_.store);
+  const auto add = [&](const std::string& bytes,
+                       const std::string& name) -> tl::expected<void, Refusal> {
+    const auto digest = to_digest(bytes);
+    if (!digest) return tl::unexpected(digest.error());
+    if (holds.add(*digest)) return {};
+    return refuse(v1::Error::MISSING_ASSET,
+                  "the store lacks " + name + " (" + to_hex(*digest) + ")");
+  };
+  if (auto held = add(scene, "the scene"); !held) return tl::unexpected(held.error());
+  for (const v1::AssetName& asset : assets)
+    if (auto held = add(asset.sha256(), asset.name()); !held) return tl::unexpected(held.error());
+  return holds;
+}
+
 Dispatch::Answer Dispatch::submit(v1::Submit submit) {
   if (submit.name().size() > max_job_name) {
     return refuse(v1::Error::LIMIT, "a job's name of " + std::to_string(submit.name().size()) +
                                         " bytes is over the limit of " +
                                         std::to_string(max_job_name));
   }
-  if (static_cast<std::size_t>(submit.asset_size()) > max_assets_per_job) {
-    return refuse(v1::Error::LIMIT, "a job with " + std::to_string(submit.asset_size()) +
-                                        " assets is over the limit of " +
-                                        std::to_string(max_assets_per_job));
-  }
-
-  // Keep the job's assets from eviction before anything else may need room.
-  AssetHolds assets(house_.store);
-  const auto hold = [&](const std::string& bytes,
-                        const std::string& name) -> tl::expected<void, Refusal> {
-    const auto digest = to_digest(bytes);
-    if (!digest) return tl::unexpected(digest.error());
-    if (assets.add(*digest)) return {};
-    return refuse(v1::Error::MISSING_ASSET,
-                  "the store lacks " + name + " (" + to_hex(*digest) + ")");
-  };
-  if (auto held = hold(submit.scene_sha256(), "the scene"); !held) {
-    return tl::unexpected(held.error());
-  }
-  for (const v1::AssetName& asset : submit.asset()) {
-    if (auto held = hold(asset.sha256(), asset.name()); !held) return tl::unexpected(held.error());
-  }
-
-  if (!v1::Backend_IsValid(submit.backend()))
-    return refuse(v1::Error::LIMIT,
-                  "there is no backend of number " + std::to_string(submit.backend()));
-  auto job = house_.queue.submit(std::move(submit), std::move(assets));
+  auto assets = hold(submit.scene_sha256(), submit.asset(), submit.backend());
+  if (!assets) return tl::unexpected(assets.error());
+  auto job = house_.queue.submit(std::move(submit), *std::move(assets));
   if (!job) return tl::unexpected(job.error());
   house_.worker_of(**job).work();
   v1::Envelope envelope;
@@ -262,6 +272,48 @@ Dispatch::Answer Dispatch::order(Order order, std::uint64_t job_id) {
   v1::Envelope envelope;
   *envelope.mutable_job_summary() = job->summary();
   return envelope;
+}
+
+Dispatch::Answer Dispatch::open_view(std::uint64_t request_id, v1::OpenView open) {
+  if (views_.size() >= max_session_views)
+    return refuse(v1::Error::LIMIT, "a client may have " + std::to_string(max_session_views) +
+                                        " views open at a time");
+  auto assets = hold(open.scene_sha256(), open.asset(), open.backend());
+  if (!assets) return tl::unexpected(assets.error());
+  const auto view = house_.views.open(std::move(open), *std::move(assets), views_.wake());
+  if (!view) return tl::unexpected(view.error());
+  views_.add(request_id, *view);
+  house_.worker_of((*view)->backend()).open(**view);
+  return std::nullopt;
+}
+
+namespace {
+
+tl::expected<View::Order, Refusal> order_of(View& view, const v1::UpdateView& update) {
+  return view.update(update);
+}
+
+tl::expected<View::Order, Refusal> order_of(View& view, const v1::NextFrame&) {
+  return view.next_frame();
+}
+
+tl::expected<View::Order, Refusal> order_of(View& view, const v1::CloseView&) {
+  view.end({});
+  return view.closing();
+}
+
+}  // namespace
+
+template <class Request>
+Dispatch::Answer Dispatch::tell_view(const Request& request) {
+  const ViewPtr view = views_.find(request.view_id());
+  if (!view)
+    return refuse(v1::Error::NOT_FOUND, "there is no view " + std::to_string(request.view_id()));
+  if (view->ended()) return std::nullopt;  // its last event is on the way
+  auto order = order_of(*view, request);
+  if (!order) return tl::unexpected(order.error());
+  if (*order) house_.worker_of(view->backend()).tell(*std::move(*order));
+  return std::nullopt;
 }
 
 }  // namespace metamer::service

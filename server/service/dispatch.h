@@ -10,6 +10,7 @@
 #include "server/service/job_queue.h"
 #include "server/service/refusal.h"
 #include "server/service/supervisor.h"
+#include "server/service/view_streams.h"
 #include "server/service/watches.h"
 
 namespace metamer::service {
@@ -18,21 +19,21 @@ namespace metamer::service {
 struct House {
   AssetStore& store;
   JobQueue& queue;
+  Views& views;
   Supervisor& cpu;
   Supervisor& gl;
   std::function<std::uint32_t()> sessions;  ///< How many there are.
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
 
-  Supervisor& worker_of(const Job& job) const {
-    return job.submit().backend() == v1::GL ? gl : cpu;
-  }
+  Supervisor& worker_of(v1::Backend backend) const { return backend == v1::GL ? gl : cpu; }
+  Supervisor& worker_of(const Job& job) const { return worker_of(job.submit().backend()); }
 };
 
 /// One client's side of the conversation: takes a request and gives the answer. No sockets.
 class Dispatch {
  public:
-  Dispatch(House& house, Watches& watches)
-      : house_(house), watches_(watches), holds_(house.store) {}
+  Dispatch(House& house, Watches& watches, ViewStreams& views)
+      : house_(house), watches_(watches), views_(views), holds_(house.store) {}
 
   /// The answer to a request; nothing when it is answered by events alone, or not yet complete.
   std::optional<v1::Envelope> answer(v1::Envelope request);
@@ -47,14 +48,21 @@ class Dispatch {
   Answer offer(const v1::OfferAssets& offer);
   Answer chunk(const v1::AssetChunk& chunk);
   tl::expected<void, Refusal> take_chunk(const Digest& digest, const v1::AssetChunk& chunk);
+  using AssetNames = google::protobuf::RepeatedPtrField<v1::AssetName>;
+  tl::expected<AssetHolds, Refusal> hold(const std::string& scene, const AssetNames& assets,
+                                         v1::Backend backend);
   Answer submit(v1::Submit submit);
   Answer watch(std::uint64_t request_id, const v1::Watch& watch);
   Answer list();
   enum class Order { cancel, pause, resume };
   Answer order(Order order, std::uint64_t job_id);
+  Answer open_view(std::uint64_t request_id, v1::OpenView open);
+  template <class Request>
+  Answer tell_view(const Request& request);
 
   House& house_;
   Watches& watches_;
+  ViewStreams& views_;
   bool greeted_ = false;
   AssetHolds holds_;  // what this client has offered, until it goes
   std::optional<AssetUpload> upload_;

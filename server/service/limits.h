@@ -24,6 +24,11 @@ inline constexpr std::size_t max_reason = 200;    ///< Bytes in a summary; the e
 inline constexpr std::size_t max_sessions = 64;
 /// Watches of one session: each may keep a dropped job's film alive while it reads.
 inline constexpr std::size_t max_watches = 16;
+/// Views of one session, and of all: each is a scene in a worker's memory.
+inline constexpr std::size_t max_session_views = 4;
+inline constexpr std::size_t max_views = 16;
+/// Frames that a view may have coming: one on its way while the next is drawn. 24 MiB at most.
+inline constexpr unsigned max_frame_credits = 2;
 /// Assets that one session keeps from eviction: 64 full jobs, 2 MiB of digests.
 inline constexpr std::size_t max_held_assets = 65536;
 /// Answers that wait for a slow client; then its requests wait too.

@@ -23,8 +23,8 @@ Service::Service(asio::io_context& context, ServiceOptions options)
     : context_(context),
       options_(completed(std::move(options))),
       queue_(options_.keep_bytes),
-      cpu_(context.get_executor(), for_backend(options_.worker, v1::CPU), queue_),
-      gl_(context.get_executor(), for_backend(options_.worker, v1::GL), queue_),
+      cpu_(context.get_executor(), for_backend(options_.worker, v1::CPU), queue_, views_),
+      gl_(context.get_executor(), for_backend(options_.worker, v1::GL), queue_, views_),
       listener_(context.get_executor()) {}
 
 Result<void> Service::start() {
@@ -32,7 +32,7 @@ Result<void> Service::start() {
   if (!store) return tl::unexpected(store.error());
   store_ = *std::move(store);
   house_ = std::make_unique<House>(
-      House{*store_, queue_, cpu_, gl_, [this] { return listener_.sessions(); }});
+      House{*store_, queue_, views_, cpu_, gl_, [this] { return listener_.sessions(); }});
   for (const wire::Endpoint& endpoint : options_.listen) {
     if (auto opened = listener_.open(endpoint); !opened) return opened;
   }

@@ -40,6 +40,7 @@ class Service {
   ServiceOptions options_;
   std::unique_ptr<AssetStore> store_;
   JobQueue queue_;
+  Views views_;
   Supervisor cpu_, gl_;
   std::unique_ptr<House> house_;
   Listener listener_;

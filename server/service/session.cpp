@@ -24,7 +24,8 @@ Session::Session(wire::Socket socket, House& house, std::function<void()> gone)
       house_(house),
       gone_(std::move(gone)),
       watches_([this] { sendable_.cancel(); }),
-      dispatch_(house, watches_),
+      views_([this] { sendable_.cancel(); }, [this](View& view) { close_view(view); }),
+      dispatch_(house, watches_, views_),
       sendable_(channel_.executor(), never),
       room_(channel_.executor(), never),
       timeout_(channel_.executor(), never) {}
@@ -64,6 +65,7 @@ void Session::run(asio::awaitable<void> loop) {
                    }
                    if (--self->running_ > 0) return;
                    self->watches_.clear();
+                   self->views_.clear();
                    self->close();
                    self->gone_();
                  });
@@ -122,7 +124,17 @@ std::optional<v1::Envelope> Session::next_to_send() {
     room_.cancel();
     return answer;
   }
-  return ending_ ? std::nullopt : watches_.next();
+  if (ending_) return std::nullopt;
+  views_next_ = !views_next_;
+  auto event = views_next_ ? views_.next() : watches_.next();
+  if (!event) event = views_next_ ? watches_.next() : views_.next();
+  return event;
+}
+
+/// Its client has had its last event, or is gone: then the worker has not heard of it yet.
+void Session::close_view(View& view) {
+  if (!view.ended()) house_.worker_of(view.backend()).tell(view.closing());
+  house_.views.remove(view);
 }
 
 asio::awaitable<void> Session::write_answers() {

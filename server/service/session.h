@@ -32,13 +32,16 @@ class Session : public std::enable_shared_from_this<Session> {
   void handle(v1::Envelope request);
   void send(v1::Envelope answer);
   std::optional<v1::Envelope> next_to_send();
+  void close_view(View& view);
 
   wire::Channel channel_;
   House& house_;
   std::function<void()> gone_;
   Watches watches_;
+  ViewStreams views_;
   Dispatch dispatch_;
   std::deque<v1::Envelope> answers_;
+  bool views_next_ = false;      // watches and views have turns
   bool ending_ = false;          // after the answers that wait, nothing more is sent or read
   int running_ = 0;              // loops
   asio::steady_timer sendable_;  // cancelled when there may be something to send

@@ -24,10 +24,12 @@ std::string seconds(std::chrono::milliseconds duration) {
 
 }  // namespace
 
-Supervisor::Supervisor(const asio::any_io_executor& executor, Options options, JobQueue& queue)
+Supervisor::Supervisor(const asio::any_io_executor& executor, Options options, JobQueue& queue,
+                       Views& views)
     : executor_(executor),
       options_(std::move(options)),
       queue_(queue),
+      views_(views),
       capabilities_signal_(executor, asio::steady_timer::time_point::max()),
       restart_(executor),
       overdue_(executor) {}
@@ -42,6 +44,12 @@ void Supervisor::stop() {
   overdue_.cancel();
   capabilities_signal_.cancel();
   if (worker_) std::exchange(worker_, nullptr)->abandon();
+}
+
+/// Its work may not stand still.
+bool Supervisor::is_busy() const {
+  return state_ == State::compiling || state_ == State::rendering ||
+         (state_ == State::idle && says_busy_);
 }
 
 bool Supervisor::has_job() const {
@@ -70,6 +78,7 @@ void Supervisor::on_exit(const std::string& reason) {
   worker_.reset();
   if (!obstacle_.empty()) return give_up();
   last_exit_ = reason;
+  says_busy_ = false;
   const State before = std::exchange(state_, State::down);
   start_was_tried_ = true;
   capabilities_signal_.cancel();
@@ -77,6 +86,7 @@ void Supervisor::on_exit(const std::string& reason) {
   // Settle what becomes of its job, and wait before another start only where starting itself fails.
   if (before == State::compiling || before == State::rendering) lose_job(reason);
   job_.reset();
+  if (before != State::starting) views_.end(backend(), "the worker was lost: " + reason);
   if (before != State::starting && before != State::idle) return start_worker();
   if (++failed_starts_ >= hopeless_starts) fail_queue(reason);
   const auto wait =
@@ -107,13 +117,14 @@ void Supervisor::fail_queue(const std::string& reason) {
     job->fail(v1::Failed::WORKER, "no worker starts: " + reason);
     queue_.ended(*job);
   }
+  views_.end(backend(), "no worker starts: " + reason);
 }
 
 // ---- Time
 
 void Supervisor::watch() {
   auto due = last_sign_ + options_.worker_timeout;
-  if (state_ == State::compiling || state_ == State::rendering) {
+  if (is_busy()) {
     due = std::min(due, last_progress_ + options_.stall_timeout);
   }
   if (state_ == State::stopping) due = std::min(due, stop_sent_ + options_.stop_timeout);
@@ -131,8 +142,7 @@ void Supervisor::check_overdue() {
     }
     return distrust("stopped answering: no sign of life for " + seconds(options_.worker_timeout));
   }
-  const bool busy = state_ == State::compiling || state_ == State::rendering;
-  if (busy && now >= last_progress_ + options_.stall_timeout) {
+  if (is_busy() && now >= last_progress_ + options_.stall_timeout) {
     return distrust("stopped answering: its work stood still for " +
                     seconds(options_.stall_timeout));
   }
@@ -194,6 +204,18 @@ void Supervisor::job_is_over() {
   state_ = State::idle;
   watch();
   work();
+}
+
+// ---- Views
+
+void Supervisor::open(const View& view) {
+  if (state_ == State::asleep) return start_worker();
+  tell(view.opening());
+}
+
+void Supervisor::tell(v1::WorkerEnvelope message) {
+  const bool ready = state_ == State::idle || has_job();
+  if (ready) worker_->send(std::move(message));
 }
 
 // ---- What others ask

@@ -9,12 +9,14 @@
 #include "metamer/v1/session.pb.h"
 #include "server/service/job_queue.h"
 #include "server/service/limits.h"
+#include "server/service/views.h"
 #include "server/service/worker_process.h"
 
 namespace metamer::service {
 
-/// Keeps a backend's worker running and gives it the queue's jobs for it, one at a time. A worker
-/// that dies, hangs or lies costs its job one attempt and nothing else.
+/// Keeps a backend's worker running and gives it the queue's jobs for it, one at a time, and the
+/// views. A worker that dies, hangs or lies costs its job one attempt, ends its views, and nothing
+/// else.
 class Supervisor {
  public:
   struct Options {
@@ -25,7 +27,7 @@ class Supervisor {
     std::size_t tiles_per_batch = service::tiles_per_batch;  ///< In one RenderTiles.
   };
 
-  Supervisor(const asio::any_io_executor& executor, Options options, JobQueue& queue);
+  Supervisor(const asio::any_io_executor& executor, Options options, JobQueue& queue, Views& views);
 
   /// Starts the first worker, unless there is one. Without it the first job does.
   void start();
@@ -36,6 +38,11 @@ class Supervisor {
   void work();
   /// Says that `job` was cancelled or paused: the worker is stopped if it has it.
   void interrupt(const Job& job);
+
+  /// Opens a view in the worker, which is started if need be.
+  void open(const View& view);
+  /// Tells the worker what concerns a view. Without a worker it is lost, and the view too.
+  void tell(v1::WorkerEnvelope message);
 
   /// What the workers can do; empty until the first one has said so.
   const v1::Capabilities& capabilities() const { return capabilities_; }
@@ -67,7 +74,8 @@ class Supervisor {
 
   // What it says. Each is called in the right state only.
   void on_ready(v1::WorkerReady ready);
-  void on_heartbeat(std::uint64_t work);
+  void on_heartbeat(const v1::Heartbeat& beat);
+  void on_view(v1::ViewEvent event);
   void on_planned(const v1::Plan& plan);
   void on_factors(const v1::FactorsPiece& piece);
   void on_tile(const v1::TileDone& tile);
@@ -85,10 +93,12 @@ class Supervisor {
   void lose_job(const std::string& reason);
   void fail_queue(const std::string& reason);
   bool has_job() const;
+  bool is_busy() const;
 
   asio::any_io_executor executor_;
   Options options_;
   JobQueue& queue_;
+  Views& views_;
   v1::Capabilities capabilities_;
   asio::steady_timer capabilities_signal_;
   bool start_was_tried_ = false;
@@ -107,6 +117,7 @@ class Supervisor {
   Clock::time_point last_progress_;
   Clock::time_point stop_sent_;
   std::uint64_t last_work_ = 0;
+  bool says_busy_ = false;        ///< Its last heartbeat.
   std::uint32_t batch_last_ = 0;  // the last tile that was asked for
   std::size_t batch_missing_ = 0;
 };

@@ -17,7 +17,9 @@ void Supervisor::on_message(v1::WorkerEnvelope message) {
     case Body::kReady:
       return on_ready(std::move(*message.mutable_ready()));
     case Body::kHeartbeat:
-      return on_heartbeat(message.heartbeat().work());
+      return on_heartbeat(message.heartbeat());
+    case Body::kViewEvent:
+      return on_view(std::move(*message.mutable_view_event()));
     case Body::kPlanned:
     case Body::kTileDone:
     case Body::kFactorsPiece:
@@ -28,6 +30,10 @@ void Supervisor::on_message(v1::WorkerEnvelope message) {
     case Body::kCompileJob:
     case Body::kRenderTiles:
     case Body::kStopJob:
+    case Body::kOpenView:
+    case Body::kUpdateView:
+    case Body::kNextFrame:
+    case Body::kCloseView:
     case Body::BODY_NOT_SET:
       return distrust("sent a message that workers do not send");
   }
@@ -60,14 +66,16 @@ void Supervisor::on_ready(v1::WorkerReady ready) {
   capabilities_signal_.cancel();
   spdlog::info("worker {} is ready; sandbox: {}", worker_->pid(), sandbox_);
   state_ = State::idle;
+  for (const ViewPtr& view : views_.of(backend())) tell(view->opening());
   work();
 }
 
-void Supervisor::on_heartbeat(std::uint64_t work) {
+void Supervisor::on_heartbeat(const v1::Heartbeat& beat) {
   // It has lived for a while: the next death is another matter than those before.
   if (state_ != State::starting) failed_starts_ = 0;
-  if (work == last_work_) return;
-  last_work_ = work;
+  says_busy_ = beat.busy();
+  if (is_busy() && beat.work() == last_work_) return;
+  last_work_ = beat.work();
   last_progress_ = last_sign_;
 }
 
@@ -89,6 +97,14 @@ void Supervisor::on_planned(const v1::Plan& plan) {
   // It was paused between its last tile and the worker's word that it is done.
   job_->finish({});
   job_is_over();
+}
+
+void Supervisor::on_view(v1::ViewEvent event) {
+  const ViewPtr view = views_.find(event.view_id());
+  if (!view) return;
+  auto order = view->take(std::move(event));
+  if (!order) return distrust(order.error());
+  if (*order) tell(*std::move(*order));
 }
 
 bool Supervisor::send_next_tiles() {

@@ -22,9 +22,9 @@ Result<std::string> read_stored(const std::filesystem::path& store, const std::s
   return bytes;
 }
 
-AssetReader stored_assets(const v1::CompileJob& message, const std::filesystem::path& store) {
+AssetReader stored_assets(const AssetNames& names, const std::filesystem::path& store) {
   std::map<std::string, std::string> digests;
-  for (const v1::AssetName& asset : message.asset()) digests[asset.name()] = asset.sha256();
+  for (const v1::AssetName& asset : names) digests[asset.name()] = asset.sha256();
   return [digests = std::move(digests), store](const std::string& name) -> Result<std::string> {
     const auto found = digests.find(name);
     auto bytes =
@@ -34,20 +34,23 @@ AssetReader stored_assets(const v1::CompileJob& message, const std::filesystem::
   };
 }
 
-std::string geometry_key(v1::Scene scene, const v1::CompileJob& message) {
-  for (v1::Light& light : *scene.mutable_light()) {
-    light.clear_spectrum();
-    light.clear_luminance();
-  }
-  for (v1::Material& material : *scene.mutable_material()) {
-    material.clear_diffuse();
-    material.clear_specular();
-  }
-  v1::Settings settings;
-  settings.set_shading(scene.settings().shading());
-  *scene.mutable_settings() = settings;
-  std::string key = scene.SerializeAsString();
-  for (const v1::AssetName& asset : message.asset()) key += asset.name() + asset.sha256();
+std::string objects_key(const v1::Scene& scene, const RenderScene& compiled,
+                        const AssetNames& names) {
+  v1::Scene objects;
+  *objects.mutable_object() = scene.object();
+  objects.mutable_settings()->set_shading(scene.settings().shading());
+  std::string key = objects.SerializeAsString();
+  // Objects know their material by its place in the list, and have tangents where any one asks.
+  for (const RenderMaterial& material : compiled.materials)
+    key += material.name + (material.anisotropic() ? '\1' : '\0');
+  for (const v1::AssetName& asset : names) key += asset.name() + asset.sha256();
+  return key;
+}
+
+std::string geometry_key(const std::string& objects_key, const CameraSpace& space) {
+  std::string key = objects_key;
+  for (const double number : {space.origin.x(), space.origin.y(), space.origin.z(), space.scale})
+    key.append(reinterpret_cast<const char*>(&number), sizeof number);
   return key;
 }
 

@@ -4,17 +4,26 @@
 #include <string>
 
 #include "common/scene/validate.h"
-#include "metamer/v1/worker.pb.h"
+#include "metamer/v1/jobs.pb.h"
+#include "metamer/v1/scene.pb.h"
+#include "server/scene/camera_space.h"
 
 namespace metamer {
 
 /// An asset's bytes from the store. The daemon has checked digest and size.
 Result<std::string> read_stored(const std::filesystem::path& store, const std::string& digest);
 
-/// The job's assets by the names that its scene uses.
-AssetReader stored_assets(const v1::CompileJob& message, const std::filesystem::path& store);
+using AssetNames = google::protobuf::RepeatedPtrField<v1::AssetName>;
 
-/// All that a scene's geometry depends on: not its spectra, nor its settings but the shading.
-std::string geometry_key(v1::Scene scene, const v1::CompileJob& message);
+/// Assets by the names that a scene uses.
+AssetReader stored_assets(const AssetNames& names, const std::filesystem::path& store);
+
+/// All that the objects of a scene depend on, `compiled` being the scene as a backend has it: not
+/// on lights, cameras and spectra, nor on settings but the shading.
+std::string objects_key(const v1::Scene& scene, const RenderScene& compiled,
+                        const AssetNames& names);
+
+/// And where they are placed: all that uploaded geometry depends on.
+std::string geometry_key(const std::string& objects_key, const CameraSpace& space);
 
 }  // namespace metamer

@@ -19,7 +19,7 @@ Result<GlPicture> GlPicture::make(gl::Device& device, const std::string& key,
                                        device.capabilities().timers());
   if (!renderer) return tl::unexpected(renderer.error());
   GlPicture picture(std::move(*geometry), std::move(*renderer));
-  picture.spp_ = plan.spp();
+  picture.samples_ = sample_pattern(plan.spp());
   picture.timers_ = device.capabilities().timers();
   picture.upload_seconds_ = std::chrono::duration<double>(uploaded - start).count();
   picture.program_seconds_ = std::chrono::duration<double>(Clock::now() - uploaded).count();
@@ -28,13 +28,19 @@ Result<GlPicture> GlPicture::make(gl::Device& device, const std::string& key,
 
 Result<void> GlPicture::render(const v1::RenderTiles& message, const Film& film,
                                const std::atomic<bool>& stopped, std::atomic<std::uint64_t>& work,
-                               const TileDone& tile_done) {
+                               Guests& guests, const TileDone& tile_done) {
+  const auto others = [&] {
+    if (!guests.waiting()) return false;
+    guests.serve();
+    return true;
+  };
   for (const gl::Region& region : gl::regions_of(message, gl::Renderer::max_side)) {
-    if (auto done = renderer_.render(region.rect, film, stopped, work); !done) return done;
+    if (auto done = renderer_.render(region.rect, film, samples_, stopped, work, others); !done)
+      return done;
     if (stopped) return {};
     // Camera rays alone: the GPU does not count those of shadows.
     for (const v1::TileRect& tile : region.tiles)
-      tile_done(tile, std::uint64_t{tile.width()} * tile.height() * spp_);
+      tile_done(tile, std::uint64_t{tile.width()} * tile.height() * samples_.size());
   }
   return {};
 }

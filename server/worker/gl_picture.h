@@ -5,6 +5,7 @@
 #include "metamer/v1/worker.pb.h"
 #include "server/gl/device.h"
 #include "server/gl/renderer.h"
+#include "server/worker/guests.h"
 
 namespace metamer {
 
@@ -19,11 +20,11 @@ class GlPicture {
                                 const Method& method, const std::atomic<bool>& stopped);
 
   using TileDone = std::function<void(const v1::TileRect& tile, std::uint64_t rays)>;
-  /// Renders region by region, each of them whole before its tiles are told. Ends early when
-  /// `stopped`.
+  /// Renders region by region, each of them whole before its tiles are told; after each sample of a
+  /// region the guests have their turn. Ends early when `stopped`.
   Result<void> render(const v1::RenderTiles& message, const Film& film,
                       const std::atomic<bool>& stopped, std::atomic<std::uint64_t>& work,
-                      const TileDone& tile_done);
+                      Guests& guests, const TileDone& tile_done);
 
   void add_preparation(v1::Timing& timing) const;
   void set_passes(v1::Timing& timing) const;
@@ -34,7 +35,7 @@ class GlPicture {
 
   std::shared_ptr<const gl::Geometry> geometry_;
   gl::Renderer renderer_;
-  std::uint32_t spp_ = 1;
+  std::vector<SamplePoint> samples_;
   bool timers_ = false;
   double upload_seconds_ = 0, program_seconds_ = 0;
 };

@@ -2,8 +2,8 @@
 
 namespace metamer {
 
-Heartbeat::Heartbeat(Link& link, const Work& work)
-    : link_(link), work_(work), thread_([this] { run(); }) {}
+Heartbeat::Heartbeat(Link& link, const Work& work, const std::atomic<bool>& busy)
+    : link_(link), work_(work), busy_(busy), thread_([this] { run(); }) {}
 
 Heartbeat::~Heartbeat() {
   {
@@ -19,6 +19,7 @@ void Heartbeat::run() {
   while (!leave_.wait_for(lock, std::chrono::milliseconds(250), [this] { return leaving_; })) {
     v1::WorkerEnvelope beat;
     beat.mutable_heartbeat()->set_work(work_);
+    beat.mutable_heartbeat()->set_busy(busy_);
     link_.send(beat);
   }
 }

@@ -8,10 +8,11 @@
 
 namespace metamer {
 
-/// Tells the daemon four times a second that this process lives, and how far its work has come.
+/// Tells the daemon four times a second that this process lives, whether it has work, and how far
+/// that has come.
 class Heartbeat {
  public:
-  Heartbeat(Link& link, const Work& work);
+  Heartbeat(Link& link, const Work& work, const std::atomic<bool>& busy);
   ~Heartbeat();
 
  private:
@@ -19,6 +20,7 @@ class Heartbeat {
 
   Link& link_;
   const Work& work_;
+  const std::atomic<bool>& busy_;
   std::mutex mutex_;
   std::condition_variable leave_;
   bool leaving_ = false;

@@ -16,6 +16,7 @@
 #include "server/scene/compile.h"
 #include "server/worker/assets.h"
 #include "server/worker/gl_picture.h"
+#include "server/worker/problems.h"
 
 namespace metamer {
 namespace {
@@ -25,6 +26,9 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
+
+/// What a job renders before it lets waiting guests have theirs: about a frame's time.
+constexpr std::chrono::milliseconds turn{20};
 
 /// The film's memory, mapped for as long as this lives.
 class MappedFilm {
@@ -57,8 +61,8 @@ bool is_sound(const v1::TileRect& tile, const v1::Plan& plan) {
 
 }  // namespace
 
-Job::Job(std::uint64_t id, const WorkerOptions& options, Link& link, Work& work)
-    : id_(id), options_(options), link_(link), work_(work) {}
+Job::Job(std::uint64_t id, const WorkerOptions& options, Link& link, Work& work, Guests& guests)
+    : id_(id), options_(options), link_(link), work_(work), guests_(guests) {}
 
 Job::~Job() = default;
 
@@ -72,15 +76,17 @@ void Job::compile(const v1::CompileJob& message) {
     return send_failure(v1::Failed::BAD_INPUT, "the scene's bytes are no scene");
   *scene.mutable_settings() = with_defaults(scene.settings());
   scene.mutable_settings()->set_backend(options_.gl ? v1::GL : v1::CPU);
-  geometry_key_ = geometry_key(scene, message);
   ++work_;
 
   // Compile it: names, spectra and meshes become flat arrays.
-  auto compiled = compile_scene(scene, stored_assets(message, options_.store), stopped_);
+  auto compiled = compile_scene(scene, stored_assets(message.asset(), options_.store), stopped_);
   ++work_;
   if (stopped_) return send_stopped();
   if (!compiled) return send_problems(compiled.error());
-  scene_ = std::make_unique<RenderScene>(to_camera_space(std::move(*compiled)));
+  const CameraSpace space = CameraSpace::of(*compiled);
+  geometry_key_ = geometry_key(objects_key(scene, *compiled, message.asset()), space);
+  scene_ = std::make_unique<RenderScene>(std::move(*compiled));
+  space.place(*scene_);
 
   keep_factors_ = message.keep_factors();
   if (keep_factors_ && options_.gl)
@@ -204,11 +210,23 @@ void Job::measure_promise(v1::JobDone& done) {
   if (!accuracy.kept() && !plan_.method().has_exact()) done.mutable_better()->mutable_exact();
 }
 
-/// Lets each thread take the next tile, so that they are begun in the daemon's order. False when
-/// stopped.
+/// False when stopped.
 bool Job::render_tiles(const v1::RenderTiles& message, const Film& film) {
   const cpu::Tracer tracer(*scene_, *geometry_, plan_);
   std::atomic<int> next = 0;
+  while (next < message.tile_size() && !stopped_) {
+    render_some(tracer, message, film, next);
+    if (!stopped_ && guests_.waiting()) guests_.serve();
+  }
+  return !stopped_;
+}
+
+/// Lets each thread take the next tile, so that they are begun in the daemon's order; until the
+/// last one, or until others have waited for a turn's time.
+void Job::render_some(const cpu::Tracer& tracer, const v1::RenderTiles& message, const Film& film,
+                      std::atomic<int>& next) {
+  const auto begun = Clock::now();
+  const auto is_over = [&] { return guests_.waiting() && Clock::now() - begun > turn; };
   tbb::parallel_for(0u, plan_.threads(), [&](unsigned) {
     cpu::Tracer::Workspace workspace = tracer.make_workspace();
     FilmSink film_sink(*method_, film, plan_.spp());
@@ -226,11 +244,11 @@ bool Job::render_tiles(const v1::RenderTiles& message, const Film& film) {
       if (keep_factors_ && !too_many_factors_)
         too_many_factors_ = !send_factors(&tile, factor_sink.finish().SerializeAsString());
       send_tile(tile, workspace.rays);
+      if (is_over()) break;
     }
     ticks_ += cpu::ticks() - start;
     model_ticks_ += cpu::model_ticks(workspace);
   });
-  return !stopped_;
 }
 
 /// Renders region by region, each of them whole before its tiles are told.
@@ -244,7 +262,7 @@ Result<void> Job::render_by_gl(const v1::RenderTiles& message, const Film& film)
     ++work_;
   }
   const auto done = gl_picture_->render(
-      message, film, stopped_, work_,
+      message, film, stopped_, work_, guests_,
       [&](const v1::TileRect& tile, std::uint64_t rays) { send_tile(tile, rays); });
   gl_picture_->set_passes(timing_);
   return done;
@@ -283,15 +301,7 @@ void Job::send_problems(const std::vector<Problem>& problems) {
   failed->set_kind(v1::Failed::BAD_INPUT);
   failed->set_reason("the scene has " + std::to_string(problems.size()) +
                      (problems.size() == 1 ? " problem" : " problems"));
-  // A hostile scene can have more problems than a frame holds; nobody reads the 101st.
-  for (std::size_t i = 0; i < problems.size() && i < 100; ++i) {
-    v1::Problem* to = failed->add_problem();
-    to->set_field(problems[i].field.substr(0, 500));
-    to->set_file(problems[i].file.substr(0, 500));
-    to->set_line(static_cast<std::uint32_t>(problems[i].line));
-    to->set_column(static_cast<std::uint32_t>(problems[i].column));
-    to->set_message(problems[i].message.substr(0, 1000));
-  }
+  add_problems(problems, *failed->mutable_problem());
   send_last(message);
 }
 

@@ -12,10 +12,14 @@
 #include "server/film/film.h"
 #include "server/methods/method.h"
 #include "server/scene/render_scene.h"
+#include "server/worker/guests.h"
 #include "server/worker/link.h"
 
 namespace metamer::gl {
 class Device;
+}
+namespace metamer::cpu {
+class Tracer;
 }
 
 namespace metamer {
@@ -37,7 +41,8 @@ using Work = std::atomic<std::uint64_t>;
 /// object. Runs on one thread; `stop` alone may be called from another.
 class Job {
  public:
-  Job(std::uint64_t id, const WorkerOptions& options, Link& link, Work& work);
+  /// Between two parts of its picture the job lets its guests have a turn.
+  Job(std::uint64_t id, const WorkerOptions& options, Link& link, Work& work, Guests& guests);
   ~Job();
 
   /// Parses, compiles and plans; sends JobPlanned, Failed or JobStopped.
@@ -71,11 +76,14 @@ class Job {
   void measure_promise(v1::JobDone& done);
   bool send_factors(const v1::TileRect* tile, const std::string& bytes);
   bool render_tiles(const v1::RenderTiles& message, const Film& film);
+  void render_some(const cpu::Tracer& tracer, const v1::RenderTiles& message, const Film& film,
+                   std::atomic<int>& next);
 
   std::uint64_t id_;
   const WorkerOptions& options_;
   Link& link_;
   Work& work_;
+  Guests& guests_;
   std::atomic<bool> stopped_ = false;
   std::atomic<bool> too_many_factors_ = false;  ///< The picture goes on without.
   bool keep_factors_ = false;

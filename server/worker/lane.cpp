@@ -7,8 +7,17 @@
 
 namespace metamer {
 
-Lane::Lane(const WorkerOptions& options, Link& link, Work& work)
-    : options_(options), link_(link), work_(work), thread_([this] { run(); }) {}
+Lane::Lane(const WorkerOptions& options, Link& link, Work& work, std::atomic<bool>& busy)
+    : options_(options),
+      link_(link),
+      work_(work),
+      busy_(busy),
+      views_(options, link, work,
+             [this] {
+               const std::lock_guard lock(mutex_);
+               changed_.notify_all();
+             }),
+      thread_([this] { run(); }) {}
 
 Lane::~Lane() {
   {
@@ -29,7 +38,7 @@ bool Lane::take(const v1::WorkerEnvelope& message) {
       changed_.wait(lock, [this] { return !in_step_ && !waiting_; });
       if (message.has_compile_job()) {
         retired_ = std::move(job_);
-        job_ = std::make_unique<Job>(message.job_id(), options_, link_, work_);
+        job_ = std::make_unique<Job>(message.job_id(), options_, link_, work_, views_);
       } else if (!job_ || job_->id() != message.job_id()) {
         return false;
       }
@@ -40,6 +49,11 @@ bool Lane::take(const v1::WorkerEnvelope& message) {
     case v1::WorkerEnvelope::kStopJob:
       stop(message.job_id());
       return true;
+    case v1::WorkerEnvelope::kOpenView:
+    case v1::WorkerEnvelope::kUpdateView:
+    case v1::WorkerEnvelope::kNextFrame:
+    case v1::WorkerEnvelope::kCloseView:
+      return views_.take(message);
     case v1::WorkerEnvelope::kReady:
     case v1::WorkerEnvelope::kHeartbeat:
     case v1::WorkerEnvelope::kPlanned:
@@ -48,6 +62,7 @@ bool Lane::take(const v1::WorkerEnvelope& message) {
     case v1::WorkerEnvelope::kFactorsPiece:
     case v1::WorkerEnvelope::kStopped:
     case v1::WorkerEnvelope::kFailed:
+    case v1::WorkerEnvelope::kViewEvent:
     case v1::WorkerEnvelope::BODY_NOT_SET:
       return false;
   }
@@ -59,6 +74,7 @@ void Lane::stop(std::uint64_t job_id) {
   if (!job_ || job_->id() != job_id) return;
   if (in_step_ || waiting_) {
     job_->stop();  // the step answers
+    views_.hurry(true);
   } else if (!job_->ended()) {
     job_->stop();
     job_->send_stopped();
@@ -74,24 +90,37 @@ void Lane::run() {
   }
   std::unique_lock lock(mutex_);
   for (;;) {
-    changed_.wait(lock, [this] { return leaving_ || waiting_; });
+    busy_ = false;
+    changed_.wait(lock, [this] { return leaving_ || waiting_ || views_.waiting(); });
     if (leaving_) return;
+    busy_ = true;
+    if (!waiting_) {
+      lock.unlock();
+      views_.serve();
+      lock.lock();
+      continue;
+    }
     const v1::WorkerEnvelope message = std::move(*waiting_);
     waiting_.reset();
     in_step_ = true;
     auto retired = std::move(retired_);
     lock.unlock();
     retired.reset();
-    if (message.has_compile_job())
-      job_->compile(message.compile_job());
-    else
-      job_->render(message.render_tiles());
+    step(message);
     lock.lock();
     // A stop that came after the step last looked is answered here.
     if (job_->stopped() && !job_->ended()) job_->send_stopped();
     in_step_ = false;
+    views_.hurry(false);
     changed_.notify_all();
   }
+}
+
+void Lane::step(const v1::WorkerEnvelope& message) {
+  if (message.has_compile_job())
+    job_->compile(message.compile_job());
+  else
+    job_->render(message.render_tiles());
 }
 
 }  // namespace metamer

@@ -57,14 +57,15 @@ int run(metamer::WorkerOptions options, const std::string& gl_device) {
   }
   const std::string sandbox = metamer::enter_sandbox(options.store);
   metamer::Work work = 0;
+  std::atomic<bool> busy = false;
 
   metamer::v1::WorkerEnvelope ready;
   *ready.mutable_ready()->mutable_capabilities() = metamer::capabilities(options);
   ready.mutable_ready()->set_sandbox(sandbox);
   if (!link.send(ready)) return 0;
 
-  const metamer::Heartbeat heartbeat(link, work);
-  metamer::Lane lane(options, link, work);
+  const metamer::Heartbeat heartbeat(link, work, busy);
+  metamer::Lane lane(options, link, work, busy);
   while (const auto message = link.receive())
     if (!lane.take(*message)) {
       std::fprintf(stderr, "metamer-worker: unexpected message from the daemon\n");

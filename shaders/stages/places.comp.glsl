@@ -15,7 +15,7 @@ void main() {
     vec3 a = position_at(corner_of[3u * triangle]);
     vec3 side = unit(cross(position_at(corner_of[3u * triangle + 1u]) - a,
                            position_at(corner_of[3u * triangle + 2u]) - a));
-    if (dot(side, a) > 0.0) side = -side;
+    if (dot(side, a - eye) > 0.0) side = -side;
     uint base = object_of[object].material * material_size;
     for (uint i = 0u; i < place_count(shading); ++i) {
         Lobes lobes = place_lobes(light, triangle, object, side, shading, base, i);

@@ -55,7 +55,7 @@ void add_lobes(uint light, uint base, Lobes lobes, float weight) {
 Lobes place_lobes(uint light, uint triangle, uint object, vec3 side, uint shading, uint base, uint index) {
     Place place = place_of(triangle, object, side, shading, index);
     Seen there = look(light, place.position);
-    Lobes lobes = reflection(base, angles_of(place.normal, place.tangent, there.direction, unit(-place.position),
+    Lobes lobes = reflection(base, angles_of(place.normal, place.tangent, there.direction, unit(eye - place.position),
                                              light_of[light].more.y));
     float weight = there.weight <= largest ? there.weight : 0.0;
     lobes.diffuse *= weight;
@@ -91,8 +91,8 @@ void reflect_light(uint light, Surface surface, vec3 direction) {
     // Ask whether the light is seen, from a point lifted off the surface by what f32 may have got wrong.
     bool lit = shading != 0u || dot(surface.normal, from_here.direction) > 0.0;
     if (lit) {
-        vec3 size = abs(surface.hit);
-        float lift = max(max(size.x, size.y), max(size.z, length(surface.hit))) * 1e-5;
+        vec3 size = max(abs(surface.hit), abs(eye));
+        float lift = max(max(size.x, size.y), max(size.z, length(surface.hit - eye))) * 1e-5;
         lit = is_free(surface.hit + surface.side * lift, from_here.direction, lift, from_here.reach);
     }
     if (lit && shading != 0u) {

@@ -3,7 +3,7 @@ layout(location = 0) out uint seen;
 
 void main() {
     vec3 direction = sample_direction(uvec2(gl_FragCoord.xy));
-    SphereRay ray = sphere_ray(sphere, vec3(0.0), direction);
+    SphereRay ray = sphere_ray(sphere, eye, direction);
     if (ray.half_chord < 0.0) discard;
     // From inside, the far side is what is seen.
     float at = ray.at - ray.half_chord;

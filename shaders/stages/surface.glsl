@@ -28,11 +28,11 @@ struct Surface {
 };
 
 void find_on_sphere(vec3 direction, inout Surface surface) {
-    SphereRay ray = sphere_ray(surface.object, vec3(0.0), direction);
+    SphereRay ray = sphere_ray(surface.object, eye, direction);
     float chord = max(ray.half_chord, 0.0);
     float along = ray.at - chord > 0.0 ? -chord : chord;
     surface.found = ray.at + along > 0.0;
-    surface.hit = direction * (ray.at + along);
+    surface.hit = eye + direction * (ray.at + along);
     vec3 local = ray.nearest + along * ray.direction;
     vec4 row0 = object_of[surface.object].to_unit[0];
     vec4 row1 = object_of[surface.object].to_unit[1];
@@ -46,12 +46,13 @@ void find_on_triangle(vec3 direction, inout Surface surface) {
     uint first = corner_of[3u * surface.triangle], second = corner_of[3u * surface.triangle + 1u];
     uint third = corner_of[3u * surface.triangle + 2u];
     vec3 a = position_at(first), b = position_at(second) - a, c = position_at(third) - a;
-    vec3 p = cross(direction, c), q = cross(-a, b);
+    vec3 s = eye - a;
+    vec3 p = cross(direction, c), q = cross(s, b);
     float scale = 1.0 / dot(b, p);
-    surface.uv = vec2(dot(-a, p), dot(direction, q)) * scale;
+    surface.uv = vec2(dot(s, p), dot(direction, q)) * scale;
     float at = dot(c, q) * scale;
     surface.found = true;
-    surface.hit = direction * at;
+    surface.hit = eye + direction * at;
     // A sample that the rasteriser counts to the triangle may miss it by a little: back onto it. Seen on edge
     // it has no place that f32 could tell: take the middle.
     if (!(at > 0.0 && at < 1e30)) surface.uv = vec2(1.0 / 3.0);

@@ -49,7 +49,8 @@ class GlExtremes : public ::testing::Test {
     std::vector<float> xyz(std::size_t{plan.width()} * plan.height() * 3, -1.0f);
     std::atomic<std::uint64_t> work = 0;
     const auto done = renderer->render(region.value_or(Rect{0, 0, plan.width(), plan.height()}),
-                                       {xyz.data(), plan.width(), plan.height()}, no_stop, work);
+                                       {xyz.data(), plan.width(), plan.height()},
+                                       sample_pattern(plan.spp()), no_stop, work);
     EXPECT_TRUE(done) << done.error().message;
     return xyz;
   }
@@ -186,6 +187,32 @@ TEST_F(GlExtremes, MultiplePassesGiveTheSameSums) {
   for (std::size_t i = 0; i < one.size(); ++i) ASSERT_NEAR(one[i], many[i], 1e-5f * brightest) << i;
 }
 
+TEST_F(GlExtremes, ACameraThatMovesSeesWhatOneThatStoodThereSees) {
+  for (const std::string shading : {"PHONG", "GOURAUD"}) {
+    const std::string text =
+        scene("width: 64 height: 48 spp: 4 method { exact {} } shading: " + shading, ball);
+    RenderScene here = test::compile_text(text);
+    RenderScene there = here;
+    there.camera.eye += Eigen::Vector3d(0.7, 0.4, 0.3);
+    // From the space of the first camera, in which the geometry stays, and from its own.
+    const CameraSpace space = CameraSpace::of(here);
+    space.place(here);
+    render(here, text + " # moved");
+    RenderScene moved = there;
+    space.place(moved);
+    const std::vector<float> gl = render(moved, text + " # moved");
+    const std::vector<float> expected = render(to_camera_space(there), text + " # there");
+    float brightest = 0;
+    std::size_t different = 0;
+    for (const float value : expected) brightest = std::max(brightest, value);
+    EXPECT_GT(brightest, 0);
+    for (std::size_t i = 0; i < gl.size(); ++i)
+      different += std::abs(gl[i] - expected[i]) > 1e-4f * brightest;
+    // A sample on an edge may fall to either side.
+    EXPECT_LE(different, gl.size() / 200) << shading;
+  }
+}
+
 TEST_F(GlExtremes, WhatNoBufferHoldsIsAMessage) {
   const auto buffer = Buffer::zeros("the vertices' positions", std::size_t{1} << 40);
   ASSERT_FALSE(buffer);
@@ -207,7 +234,7 @@ TEST_F(GlExtremes, AContextThatGoesAwayUnderARendererIsAMessage) {
   std::vector<float> xyz(16 * 8 * 3);
   std::atomic<std::uint64_t> work = 0;
   const auto draw = [&] {
-    return renderer->render({0, 0, 16, 8}, {xyz.data(), 16, 8}, no_stop, work);
+    return renderer->render({0, 0, 16, 8}, {xyz.data(), 16, 8}, sample_pattern(2), no_stop, work);
   };
   ASSERT_TRUE(draw());
   device_->context().release();

@@ -120,8 +120,8 @@ Result<Pictures::Xyz> Pictures::by_gl(const v1::Method& method, ProgramCache& ca
   if (!renderer) return tl::unexpected(renderer.error());
   Xyz xyz(std::size_t{width()} * height() * 3);
   std::atomic<std::uint64_t> work = 0;
-  const auto done =
-      renderer->render({0, 0, width(), height()}, {xyz.data(), width(), height()}, never, work);
+  const auto done = renderer->render({0, 0, width(), height()}, {xyz.data(), width(), height()},
+                                     sample_pattern(settings_.spp()), never, work);
   if (!done) return tl::unexpected(done.error());
   return xyz;
 }

@@ -234,7 +234,7 @@ TEST_F(SessionTest, SubmitSaysWhatIsMissingOrTooMuch) {
   message.mutable_submit()->set_name("");
   for (int i = 0; i < 1024; ++i) message.mutable_submit()->add_asset();
   expect_error(client_.ask(message), v1::Error::LIMIT,
-               "a job with 1025 assets is over the limit of 1024");
+               "a scene with 1025 assets is over the limit of 1024");
 }
 
 TEST_F(SessionTest, JobsThatAreNotThereGetNotFound) {

@@ -1,0 +1,190 @@
+#include "client/session/view.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/this_coro.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "client/cli/commands.h"
+#include "client/cli/connection.h"
+#include "client/cli/development.h"
+#include "client/cli/method_text.h"
+#include "client/cli/scene_input.h"
+
+namespace metamer::cli {
+namespace {
+
+namespace asio = boost::asio;
+using Clock = std::chrono::steady_clock;
+
+/// A frame as it came.
+struct Recorded {
+  v1::Frame frame;
+  std::uint32_t width = 0, height = 0;
+  double after = 0;  ///< Seconds since the one before.
+};
+
+Eigen::Vector3d to_eigen(const v1::Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+/// The camera turned around its target, about its own up.
+v1::Camera turned(const v1::Camera& camera, double degrees) {
+  const Eigen::Vector3d up = camera.has_up() ? to_eigen(camera.up()) : Eigen::Vector3d::UnitY();
+  const Eigen::AngleAxisd turn(degrees * std::numbers::pi / 180, up.normalized());
+  const Eigen::Vector3d target = to_eigen(camera.target());
+  const Eigen::Vector3d eye = target + turn * (to_eigen(camera.eye()) - target);
+  v1::Camera result = camera;
+  result.mutable_eye()->set_x(eye.x());
+  result.mutable_eye()->set_y(eye.y());
+  result.mutable_eye()->set_z(eye.z());
+  return result;
+}
+
+/// The value that so many of them, 0..1, do not exceed.
+double quantile(std::vector<double> values, double share) {
+  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + place, values.end());
+  return values[static_cast<std::size_t>(place)];
+}
+
+std::string milliseconds(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%9.1f", 1000 * seconds);
+  return text;
+}
+
+void report_row(const char* name, const std::vector<double>& seconds, Report& report) {
+  const double median = quantile(seconds, 0.5), most = quantile(seconds, 0.95);
+  const double longest = quantile(seconds, 1);
+  char padded[32];
+  std::snprintf(padded, sizeof padded, "%-14s", name);
+  report.line(padded + milliseconds(median) + milliseconds(most) + milliseconds(longest));
+  report.document()[name] = {{"median", median}, {"percentile_95", most}, {"longest", longest}};
+}
+
+void report_frames(const std::vector<Recorded>& recorded, Report& report) {
+  std::vector<double> apart, rendered, developed;
+  double whole = 0;
+  Json& frames = report.document()["frames"] = Json::array();
+  for (const Recorded& one : recorded) {
+    Json row = to_json(one.frame);
+    row["width"] = one.width;
+    row["height"] = one.height;
+    row["after"] = one.after;
+    frames.push_back(std::move(row));
+    apart.push_back(one.after);
+    rendered.push_back(one.frame.render());
+    developed.push_back(one.frame.develop());
+    whole += one.after;
+  }
+  const double rate = static_cast<double>(recorded.size()) / whole;
+  char text[160];
+  std::snprintf(text, sizeof text, "%zu frames in %.2f s, %.1f a second", recorded.size(), whole,
+                rate);
+  report.line(text);
+  report.document()["rate"] = rate;
+  report.line("milliseconds     median      95 %  longest");
+  report_row("apart", apart, report);
+  report_row("rendered", rendered, report);
+  report_row("developed", developed, report);
+}
+
+/// Moves the camera with each frame, and asks for the next while this one is looked at.
+asio::awaitable<Answer<std::vector<Recorded>>> record(View& view, const v1::Camera& camera,
+                                                      const ViewOptions& options) {
+  asio::steady_timer pace(co_await asio::this_coro::executor);
+  std::vector<Recorded> recorded;
+  co_await view.ask();
+  co_await view.ask();
+  auto last = Clock::now();
+  for (std::uint32_t i = 1; i <= options.frames; ++i) {
+    Answer<View::Picture> picture = co_await view.next();
+    if (!picture) co_return tl::unexpected<SessionError>(std::move(picture.error()));
+    const auto now = Clock::now();
+    recorded.push_back({picture->frame, picture->width, picture->height,
+                        std::chrono::duration<double>(now - last).count()});
+    last = now;
+    if (options.rate) {
+      pace.expires_at(now + std::chrono::duration_cast<Clock::duration>(
+                                std::chrono::duration<double>(1 / *options.rate)));
+      co_await pace.async_wait(asio::use_awaitable);
+    }
+    // The last change brings the camera back.
+    const double swing = std::sin(2 * std::numbers::pi * i / options.frames);
+    v1::UpdateView change;
+    change.set_revision(i);
+    *change.mutable_camera() =
+        i == options.frames ? camera : turned(camera, options.degrees * swing);
+    co_await view.update(std::move(change));
+    co_await view.ask();
+  }
+  co_return recorded;
+}
+
+/// Lets the picture grow until it has all its samples.
+asio::awaitable<Answer<View::Picture>> complete(View& view, std::uint64_t revision) {
+  while (true) {
+    Answer<View::Picture> picture = co_await view.next();
+    if (!picture) co_return picture;
+    if (picture->frame.revision() == revision && picture->frame.complete()) co_return picture;
+    co_await view.ask();
+  }
+}
+
+asio::awaitable<ExitCode> view_on(Session& session, const ViewOptions& options,
+                                  const SceneInput& scene, Report& report) {
+  const auto fail = [&](const SessionError& error) {
+    for (const v1::Problem& problem : error.problems) scene.print(from_wire(problem), report);
+    return error.problems.empty() ? report.session_error(error) : ExitCode::bad_input;
+  };
+  const Submission submission = make_submission(scene.scene(), scene.assets(), scene.name(), false);
+  Answer<std::unique_ptr<View>> opened = co_await View::open(session, submission);
+  if (!opened) co_return fail(opened.error());
+  View& view = **opened;
+  const v1::Plan& plan = view.plan();
+  for (const v1::Notice& notice : plan.notice()) scene.print(notice, report);
+  report.line(scene.name() + ", " + std::to_string(plan.width()) + "×" +
+              std::to_string(plan.height()) + ", by " + method_text(plan.method()) + " on the " +
+              plan.backend() + " backend");
+  report.document()["plan"] = to_json(plan);
+
+  Answer<std::vector<Recorded>> recorded = co_await record(view, scene.scene().camera(), options);
+  if (!recorded) co_return fail(recorded.error());
+  report_frames(*recorded, report);
+  if (options.output.empty()) co_return ExitCode::done;
+
+  const Answer<View::Picture> picture = co_await complete(view, options.frames);
+  if (!picture) co_return fail(picture.error());
+  const auto developing = planned_developing(view.plan());
+  const Result<void> written =
+      !developing ? Result<void>(tl::unexpected(developing.error()))
+                  : write_rgb(static_cast<int>(picture->width), static_cast<int>(picture->height),
+                              picture->rgb, options.output, developing->developing);
+  if (!written) {
+    report.problem(written.error(), {});
+    co_return ExitCode::other;
+  }
+  report.line("wrote " + options.output + ", " + std::to_string(picture->frame.samples()) +
+              " samples of each pixel");
+  co_return ExitCode::done;
+}
+
+}  // namespace
+
+ExitCode view(const ViewOptions& options) {
+  Report report(options.common.json);
+  if (!options.output.empty() && std::filesystem::path(options.output).extension() != ".png") {
+    report.error("-o: \"" + options.output + "\" does not end in .png");
+    return report.finish(ExitCode::bad_input);
+  }
+  const auto scene = SceneInput::load(options.scene, options.overrides, report);
+  if (!scene) return report.finish(ExitCode::bad_input);
+  return report.finish(with_any_server(options.common, report, [&](Session& session, Interrupts&) {
+    return view_on(session, options, *scene, report);
+  }));
+}
+
+}  // namespace metamer::cli

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "server/service/view.h"
+
+namespace metamer::service {
+
+using ViewPtr = std::shared_ptr<View>;
+
+/// All views that are open, of all clients.
+class Views {
+ public:
+  /// Refused (LIMIT): as many are open as there may be.
+  tl::expected<ViewPtr, Refusal> open(v1::OpenView open, AssetHolds assets,
+                                      std::function<void()> wake);
+  void remove(const View& view) { views_.erase(view.id()); }
+
+  std::vector<ViewPtr> of(v1::Backend backend) const;
+  /// Gives the view that a worker speaks of; null: it is closed, and the worker has not heard.
+  ViewPtr find(std::uint64_t id) const;
+  /// Ends those of a backend: it has lost its worker, or there is none.
+  void end(v1::Backend backend, const std::string& reason);
+  std::size_t size() const { return views_.size(); }
+
+ private:
+  std::uint64_t last_id_ = 0;
+  std::map<std::uint64_t, ViewPtr> views_;
+};
+
+}  // namespace metamer::service

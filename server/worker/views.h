@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <mutex>
+#include <vector>
+
+#include "server/worker/guests.h"
+#include "server/worker/view.h"
+
+namespace metamer {
+
+/// All views of a worker. They have turns with each other and with the job: a frame each.
+class Views : public Guests {
+ public:
+  /// `wake` is called from any thread when there is something to serve.
+  Views(const WorkerOptions& options, Link& link, Work& work, std::function<void()> wake);
+  ~Views() override;
+
+  /// Keeps a message for the next turn; from any thread. False: it is not about views.
+  bool take(const v1::WorkerEnvelope& message);
+
+  /// From any thread: lets no frame hold up the lane from now on, or again.
+  void hurry(bool hurried) { hurried_ = hurried; }
+
+  bool waiting() const override { return waiting_; }
+  /// Carries out what has come, then draws a frame of each view that has one to draw.
+  void serve() override;
+
+ private:
+  void carry_out(const v1::WorkerEnvelope& message);
+
+  const WorkerOptions& options_;
+  Link& link_;
+  Work& work_;
+  std::function<void()> wake_;
+  std::atomic<bool> waiting_ = false, hurried_ = false;
+  std::mutex mutex_;
+  std::vector<v1::WorkerEnvelope> messages_;
+  std::map<std::uint64_t, std::unique_ptr<View>> views_;  ///< Of the lane's thread.
+};
+
+}  // namespace metamer
