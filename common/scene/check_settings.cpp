@@ -55,14 +55,8 @@ void check_auto(const v1::Auto& goal, const std::string& field, Findings& findin
 }
 
 void check_picture(const v1::Settings& full, const std::string& field, Findings& findings) {
-  const std::size_t before = findings.size();
   check_range(full.width(), 1, limits::max_side, field + ".width", findings);
   check_range(full.height(), 1, limits::max_side, field + ".height", findings);
-  const std::uint64_t pixels = std::uint64_t{full.width()} * full.height();
-  if (findings.size() > before || pixels <= limits::max_pixels) return;
-  findings.add(field, "a picture may have at most " + std::to_string(limits::max_pixels) +
-                          " pixels (" + std::to_string(full.width()) + " × " +
-                          std::to_string(full.height()) + " are " + std::to_string(pixels) + ")");
 }
 
 /// Its other values are those of enums, which check_values knows.

@@ -6,11 +6,11 @@
 /// What a scene may hold. Each bound has its reason; larger is an error that names the bound.
 namespace metamer::limits {
 
-inline constexpr std::uint32_t max_side = 16384;        ///< Pixels; the largest GL texture.
-inline constexpr std::uint64_t max_pixels = 64u << 20;  ///< 768 MiB of XYZ in the daemon.
+inline constexpr std::uint32_t max_side = 16384;            ///< Pixels; the largest GL texture.
+inline constexpr std::uint64_t max_pixels = 256u << 20;     ///< A square of them: 3 GiB of XYZ.
 inline constexpr std::uint64_t max_view_pixels = 4u << 20;  ///< 12 MiB a frame; 2560 × 1600.
-inline constexpr std::uint32_t max_spp = 1024;          ///< A minute a tile is not a preview.
-inline constexpr std::uint32_t max_depth = 32;          ///< 0.9³² = 3 %: nothing more to see.
+inline constexpr std::uint32_t max_spp = 1024;              ///< A minute a tile is not a preview.
+inline constexpr std::uint32_t max_depth = 32;              ///< 0.9³² = 3 %: nothing more to see.
 inline constexpr std::uint32_t max_threads = 256;
 inline constexpr std::uint32_t max_bases = 16;   ///< Beyond, point sampling is cheaper and exact.
 inline constexpr std::uint32_t max_fitted = 64;  ///< Beyond, uniform wavelengths do as well.

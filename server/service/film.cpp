@@ -6,7 +6,7 @@ namespace metamer::service {
 
 static_assert(std::endian::native == std::endian::little, "Tile.xyz is little-endian");
 
-// calloc, and not a vector, which would write zeros over 768 MiB before the first tile.
+// calloc, and not a vector, which would write zeros over 3 GiB before the first tile.
 Film::Film(std::uint32_t width, std::uint32_t height)
     : width_(width),
       height_(height),

@@ -56,7 +56,7 @@ TEST_F(SessionTest, WelcomeSaysWhatTheServerAcceptsAndCanDo) {
   EXPECT_EQ(welcome.limits().asset(), 1u << 30);
   EXPECT_EQ(welcome.limits().assets_per_job(), 1024u);
   EXPECT_EQ(welcome.limits().queued_jobs(), 256u);
-  EXPECT_EQ(welcome.limits().pixels(), 64u << 20);
+  EXPECT_EQ(welcome.limits().pixels(), 256u << 20);
   EXPECT_EQ(welcome.capabilities().backend(0), "fake");
 }
 
