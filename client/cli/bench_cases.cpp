@@ -2,6 +2,10 @@
 
 #include <google/protobuf/descriptor.h>
 
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
 #include "common/models/registry.h"
 #include "common/scene/settings.h"
 
@@ -74,6 +78,34 @@ void choose(v1::Material& material, const Entry& entry) {
   }
 }
 
+/// A ball of triangles with normals, as the field's spheres are: `rings` from pole to pole.
+std::string ball_as_ply(int rings) {
+  constexpr double pi = std::numbers::pi;
+  const int around = 2 * rings;
+  std::string vertices, faces;
+  char line[160];
+  for (int ring = 0; ring <= rings; ++ring)
+    for (int step = 0; step <= around; ++step) {
+      const double down = pi * ring / rings, turn = 2 * pi * step / around;
+      const double x = std::sin(down) * std::cos(turn), y = std::cos(down);
+      const double z = -std::sin(down) * std::sin(turn);
+      std::snprintf(line, sizeof line, "%.9g %.9g %.9g %.9g %.9g %.9g\n", 0.25 * x, 0.25 * y,
+                    0.25 * z, x, y, z);
+      vertices += line;
+    }
+  for (int ring = 0; ring < rings; ++ring)
+    for (int step = 0; step < around; ++step) {
+      const int at = ring * (around + 1) + step, below = at + around + 1;
+      std::snprintf(line, sizeof line, "4 %d %d %d %d\n", at, below, below + 1, at + 1);
+      faces += line;
+    }
+  return "ply\nformat ascii 1.0\nelement vertex " + std::to_string((rings + 1) * (around + 1)) +
+         "\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\n"
+         "property float ny\nproperty float nz\nelement face " +
+         std::to_string(rings * around) + "\nproperty list uchar int vertex_indices\nend_header\n" +
+         vertices + faces;
+}
+
 BenchCase case_of(const Entry& model) {
   BenchCase one{model.name, field()};
   choose(*one.scene.mutable_material(0), model);
@@ -131,14 +163,45 @@ std::vector<BenchCase> method_cases(bool multi_pass) {
   return cases;
 }
 
+BenchCase shading_case(const Entry& model, v1::Shading shading, int points, bool multi_pass) {
+  static const std::string ply = ball_as_ply(16);
+  BenchCase one = case_of(model);
+  Upload mesh;
+  mesh.name = "ball.ply";
+  mesh.bytes = ply;
+  mesh.size = ply.size();
+  mesh.sha256 = sha256(ply);
+  one.meshes.push_back(std::move(mesh));
+  for (v1::Object& object : *one.scene.mutable_object()) {
+    if (!object.has_sphere()) continue;
+    *object.add_transform()->mutable_translate() = object.sphere().center();
+    object.mutable_mesh()->set_file("ball.ply");
+  }
+  v1::Settings& settings = *one.scene.mutable_settings();
+  settings.set_shading(shading);
+  v1::Method& method = *settings.mutable_method();
+  method.Clear();
+  if (points == 0) {
+    method.mutable_rgb();
+    return one;
+  }
+  method.mutable_point()->set_from(400);
+  method.mutable_point()->set_to(700);
+  method.mutable_point()->set_step(300.0 / (points - 1));
+  method.mutable_point()->set_multi_pass(multi_pass);
+  return one;
+}
+
 std::string bench_scene_text(const v1::Scene& scene) {
   const v1::Settings settings = with_defaults(scene.settings());
   const std::string mirrors = settings.backend() == v1::GL
                                   ? "the gl backend without mirrors"
                                   : std::to_string(settings.depth()) + " mirror reflections";
-  return std::to_string(side * side) + " spheres, 2 lights, " + mirrors + ", " +
-         std::to_string(settings.width()) + "x" + std::to_string(settings.height()) + ", " +
-         std::to_string(settings.spp()) + " samples per pixel";
+  const bool meshes = scene.object(scene.object_size() - 1).has_mesh();
+  return std::to_string(side * side) + (meshes ? " meshes" : " spheres") + ", 2 lights, " +
+         mirrors + ", " + std::to_string(settings.width()) + "x" +
+         std::to_string(settings.height()) + ", " + std::to_string(settings.spp()) +
+         " samples per pixel";
 }
 
 }  // namespace metamer::cli

@@ -3,14 +3,17 @@
 #include <string>
 #include <vector>
 
+#include "client/session/submission.h"
+#include "common/models/registry.h"
 #include "metamer/v1/scene.pb.h"
 
 namespace metamer::cli {
 
-/// One row of `metamer bench`.
+/// One scene that `metamer bench` measures.
 struct BenchCase {
   std::string name;
   v1::Scene scene;
+  std::vector<Upload> meshes = {};  ///< By the names that the scene has for them.
 };
 
 /// The same scene with each model of models.def, Blinn–Phong first; then the models with a Fresnel
@@ -19,6 +22,11 @@ std::vector<BenchCase> model_cases();
 
 /// The same scene by each method, rgb first; with `multi_pass` those of point also so.
 std::vector<BenchCase> method_cases(bool multi_pass);
+
+/// The same scene of meshes by one method: `points` wavelengths, 0: rgb. With a model and a kind of
+/// shading each.
+BenchCase shading_case(const models::Entry& model, v1::Shading shading, int points,
+                       bool multi_pass);
 
 /// What such a scene is, in words.
 std::string bench_scene_text(const v1::Scene& scene);

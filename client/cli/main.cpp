@@ -156,7 +156,10 @@ void add_bench_commands(CLI::App& app, AllOptions& all, Action& chosen) {
   CLI::App& methods =
       add_command(*bench, "methods", "the time of one scene by each method, next to rgb's", chosen,
                   [&] { return bench_methods(all.bench); });
-  for (CLI::App* command : {&models, &methods}) {
+  CLI::App& shading = add_command(
+      *bench, "shading", "point sampling next to rgb, with each model per vertex and per pixel",
+      chosen, [&] { return bench_shading(all.bench); });
+  for (CLI::App* command : {&models, &methods, &shading}) {
     command->add_option("--rounds", all.bench.rounds, "renderings of each")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();

@@ -113,6 +113,10 @@ Result<Context> Context::create_on(void* device) {
     return egl_problem("eglMakeCurrent");
   result.renderer_ = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   result.software_ = is_software(device);
+  // Core GL draws nothing without an array of attributes, even where there are none.
+  GLuint no_attributes = 0;
+  glCreateVertexArrays(1, &no_attributes);
+  glBindVertexArray(no_attributes);
   return result;
 }
 

@@ -18,7 +18,7 @@ Result<MultiPass> MultiPass::create(const DirectTables& tables, std::uint32_t li
 }
 
 Result<void> MultiPass::run(const Programs& programs, const Geometry& geometry,
-                            const RegionView& view, SamplePoint place,
+                            const Buffer& places, const RegionView& view, SamplePoint place,
                             const std::atomic<bool>& cancelled) {
   const Rect& region = view.region;
   if (!target_.is(region.width, region.height)) {
@@ -40,6 +40,7 @@ Result<void> MultiPass::run(const Programs& programs, const Geometry& geometry,
          {&programs.pass_triangles, &programs.pass_spheres, &programs.combine})
       program->set("group", group);
     target_.begin();
+    places.bind_storage(3);  // until spheres are drawn
     geometry.draw(programs.pass_triangles, programs.pass_spheres);
     programs.combine.use();
     dispatch_over(region);

@@ -21,9 +21,10 @@ class MultiPass {
 
   /// Draws one sample of the region's pixels and adds it to the colours in binding 13. What each
   /// pixel sees is in texture unit 0, and all that shaders/stages/shade.comp.glsl reads is bound.
-  /// Leaves the rest out when `cancelled`.
-  Result<void> run(const Programs& programs, const Geometry& geometry, const RegionView& view,
-                   SamplePoint place, const std::atomic<bool>& cancelled);
+  /// `places` are the lobes at triangles' places, where there are any. Leaves the rest out when
+  /// `cancelled`.
+  Result<void> run(const Programs& programs, const Geometry& geometry, const Buffer& places,
+                   const RegionView& view, SamplePoint place, const std::atomic<bool>& cancelled);
 
  private:
   MultiPass() = default;

@@ -10,22 +10,6 @@
 namespace metamer::gl {
 namespace {
 
-/// Core GL draws nothing without an array of attributes, even where there are none.
-class VertexArray {
- public:
-  VertexArray() {
-    glCreateVertexArrays(1, &name_);
-    bind();
-  }
-  void bind() const { glBindVertexArray(name_); }
-  VertexArray(const VertexArray&) = delete;
-  VertexArray& operator=(const VertexArray&) = delete;
-  ~VertexArray() { glDeleteVertexArrays(1, &name_); }
-
- private:
-  GLuint name_ = 0;
-};
-
 /// The most that the lobes at triangles' places may take; beyond that each sample evaluates them.
 constexpr std::uint64_t max_place_bytes = 96u << 20;
 
@@ -78,7 +62,7 @@ Result<Renderer> Renderer::create(const RenderScene& scene, const Geometry& geom
   Renderer renderer(scene, geometry);
   renderer.clock_ = std::make_unique<PassClock>(timers);
   const bool passes = plan.method().point().multi_pass();
-  if (!passes) renderer.places_of_triangle_ = places_of_triangle(scene, geometry);
+  renderer.places_of_triangle_ = places_of_triangle(scene, geometry);
   auto programs = cache.get(scene, {renderer.places_of_triangle_ > 0, passes});
   if (!programs) return tl::unexpected(programs.error());
   renderer.programs_ = std::move(*programs);
@@ -198,7 +182,7 @@ Result<void> Renderer::add_sample(const RegionView& view, SamplePoint place,
   Result<void> done;
   clock_->run(Pass::shading, [&] {
     if (multi_pass_) {
-      done = multi_pass_->run(*programs_, geometry_, view, place, cancelled);
+      done = multi_pass_->run(*programs_, geometry_, places_, view, place, cancelled);
       return;
     }
     view.set(programs_->shade, place);
@@ -216,7 +200,6 @@ Result<void> Renderer::render(const Rect& region, const Film& film,
   weights_.clear();
   colors_.clear();
   bind();
-  const VertexArray no_attributes;
   const RegionView view{scene_.camera, film.width, film.height, region};
   evaluate_places(view);
   for (const SamplePoint& place : samples) {
@@ -224,10 +207,7 @@ Result<void> Renderer::render(const Rect& region, const Film& film,
     if (auto done = add_sample(view, place, cancelled); !done) return done;
     if (auto sound = check_context(); !sound) return sound;
     work += std::uint64_t{region.width} * region.height;
-    if (others()) {
-      bind();
-      no_attributes.bind();
-    }
+    if (others()) bind();
   }
   view.set(programs_->finish, {0, 0});
   clock_->run(Pass::color, [&] {

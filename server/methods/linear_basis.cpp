@@ -1,9 +1,10 @@
 #include "server/methods/linear_basis.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "server/methods/svd.h"
 
 namespace metamer {
 
@@ -39,8 +40,8 @@ Eigen::MatrixXd factor(const Eigen::MatrixXd& products) {
 /// In the coordinates √w Φ, where the inner product is the plain one.
 LinearBasis basis_of(const Eigen::MatrixXd& weighted, const Eigen::VectorXd& inner,
                      Eigen::Index count) {
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(weighted, Eigen::ComputeThinU);
-  LinearBasis basis{{}, inner, svd.singularValues(), 1, 0};
+  const Svd svd = thin_svd(weighted);
+  LinearBasis basis{{}, inner, svd.values, 1, 0};
 
   // What is next to nothing beside the largest is rounding.
   const double largest = basis.singular_values.size() > 0 ? basis.singular_values[0] : 0;
@@ -54,7 +55,7 @@ LinearBasis basis_of(const Eigen::MatrixXd& weighted, const Eigen::VectorXd& inn
   // Where w is 0 a function means nothing, and is 0.
   const Eigen::VectorXd back =
       inner.unaryExpr([](double value) { return value > 0 ? 1 / std::sqrt(value) : 0; });
-  basis.functions = back.asDiagonal() * svd.matrixU().leftCols(used);
+  basis.functions = back.asDiagonal() * svd.u.leftCols(used);
   if (used > 0) basis.condition = largest / basis.singular_values[used - 1];
   const double power = basis.singular_values.squaredNorm();
   if (power > 0)

@@ -1,12 +1,24 @@
 #include "server/worker/gl_picture.h"
 
 #include <chrono>
+#include <cstdlib>
 
 #include "server/gl/regions.h"
 
 namespace metamer {
 
 using Clock = std::chrono::steady_clock;
+
+namespace {
+
+/// A hook for tests: after so many samples of regions the context is gone, as a GPU that is reset
+/// takes it. 0: never.
+long samples_until_loss() {
+  const char* text = std::getenv("METAMER_TEST_LOSE_CONTEXT");
+  return text ? std::strtol(text, nullptr, 10) : 0;
+}
+
+}  // namespace
 
 Result<GlPicture> GlPicture::make(gl::Device& device, const std::string& key,
                                   const RenderScene& scene, const v1::Plan& plan,
@@ -18,7 +30,7 @@ Result<GlPicture> GlPicture::make(gl::Device& device, const std::string& key,
   auto renderer = gl::Renderer::create(scene, **geometry, plan, method, device.programs(),
                                        device.capabilities().timers());
   if (!renderer) return tl::unexpected(renderer.error());
-  GlPicture picture(std::move(*geometry), std::move(*renderer));
+  GlPicture picture(device, std::move(*geometry), std::move(*renderer));
   picture.samples_ = sample_pattern(plan.spp());
   picture.timers_ = device.capabilities().timers();
   picture.upload_seconds_ = std::chrono::duration<double>(uploaded - start).count();
@@ -29,7 +41,10 @@ Result<GlPicture> GlPicture::make(gl::Device& device, const std::string& key,
 Result<void> GlPicture::render(const v1::RenderTiles& message, const Film& film,
                                const std::atomic<bool>& stopped, std::atomic<std::uint64_t>& work,
                                Guests& guests, const TileDone& tile_done) {
+  static const long loss = samples_until_loss();
+  static long samples = 0;
   const auto others = [&] {
+    if (loss > 0 && ++samples == loss) device_.context().release();
     if (!guests.waiting()) return false;
     guests.serve();
     return true;

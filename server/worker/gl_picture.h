@@ -30,9 +30,11 @@ class GlPicture {
   void set_passes(v1::Timing& timing) const;
 
  private:
-  GlPicture(std::shared_ptr<const gl::Geometry> geometry, gl::Renderer renderer)
-      : geometry_(std::move(geometry)), renderer_(std::move(renderer)) {}
+  GlPicture(const gl::Device& device, std::shared_ptr<const gl::Geometry> geometry,
+            gl::Renderer renderer)
+      : device_(device), geometry_(std::move(geometry)), renderer_(std::move(renderer)) {}
 
+  const gl::Device& device_;
   std::shared_ptr<const gl::Geometry> geometry_;
   gl::Renderer renderer_;
   std::vector<SamplePoint> samples_;

@@ -79,7 +79,7 @@ TEST(Film, RefusesATileThatCameBefore) {
 TEST(Film, RefusesSizesThatNoServerPlans) {
   EXPECT_FALSE(Film::make(plan_of(0, 4)));
   EXPECT_FALSE(Film::make(plan_of(20000, 4)));
-  EXPECT_FALSE(Film::make(plan_of(16384, 16384)));
+  EXPECT_FALSE(Film::make(plan_of(16384, 16385)));
 }
 
 TEST(Preview, KeepsItsValuesThroughXyz) {

@@ -74,6 +74,22 @@ TEST(Gl, AMissingDeviceFailsItsJobsAndNoOthers) {
   EXPECT_EQ(daemon.json({"info"})["info"]["capabilities"]["backend"], Json({"cpu"}));
 }
 
+TEST(Gl, AContextThatGoesUnderAJobFailsItAndTheNextHasAnother) {
+  setenv("METAMER_TEST_LOSE_CONTEXT", "20", 1);
+  const Daemon daemon;
+  unsetenv("METAMER_TEST_LOSE_CONTEXT");
+  Folder folder;
+  const std::string scene = folder.write("scene.txtpb", small_scene());
+  const std::string picture = folder / "a.exr";
+  const Ended failed =
+      daemon.metamer({"render", scene, "--backend", "gl", "--spp", "64", "-o", picture});
+  EXPECT_EQ(failed.code, 4);
+  EXPECT_NE(failed.err.find("the GL context is gone"), std::string::npos) << failed.err;
+  const Ended next = daemon.metamer({"render", scene, "--backend", "gl", "-o", picture});
+  EXPECT_EQ(next.code, 0) << next.err;
+  EXPECT_EQ(daemon.json({"info"})["info"]["worker"][1]["starts"], 2);
+}
+
 TEST(Gl, BothBackendsRenderAtTheSameTime) {
   const Daemon daemon;
   Folder folder;

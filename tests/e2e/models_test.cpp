@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "common/models/registry.h"
 #include "daemon.h"
 #include "scenes.h"
 
@@ -63,6 +64,19 @@ TEST(BenchCommand, ComparesEveryMethodWithRgb) {
   EXPECT_EQ(cpu["cases"][0]["name"], "rgb");
   EXPECT_EQ(cpu["cases"].size(), 9u);
   EXPECT_EQ(gl["cases"].size(), 13u);  // and point in passes, with four numbers of samples
+}
+
+TEST(BenchCommand, HasARowForEachModelPerVertexAndPerPixel) {
+  const Json rows = parse_document(
+      metamer({"bench", "shading", "--rounds", "1", "--size", "16x12", "--spp", "1", "--json"})
+          .out)["rows"];
+  EXPECT_EQ(rows.size(), 2 * models::registry(models::Kind::model).size());
+  EXPECT_EQ(rows[0]["per"], "vertex");
+  EXPECT_EQ(rows[1]["per"], "pixel");
+  for (const Json& row : rows) {
+    EXPECT_EQ(row["point"].size(), 4u) << row;
+    EXPECT_GT(row["point"]["301"].get<double>(), 0);
+  }
 }
 
 TEST(ShownScenes, AreSound) {

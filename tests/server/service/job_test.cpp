@@ -103,7 +103,7 @@ TEST_F(JobTest, PlansBeyondTheLimitsAreRefusedBeforeMemoryIsTaken) {
   job->start();
   EXPECT_EQ(job->plan(plan(0, 16, 16)).error().message, "a picture of 0 x 16 pixels");
   EXPECT_EQ(job->plan(plan(16385, 1, 16)).error().message, "a picture of 16385 x 1 pixels");
-  EXPECT_EQ(job->plan(plan(16384, 4097, 16)).error().message, "a picture of 16384 x 4097 pixels");
+  EXPECT_EQ(job->plan(plan(16384, 16385, 16)).error().message, "a picture of 16384 x 16385 pixels");
   EXPECT_EQ(job->plan(plan(65536, 65536, 16)).error().message, "a picture of 65536 x 65536 pixels");
   EXPECT_EQ(job->plan(plan(16, 16, 0)).error().message, "tiles of 0 pixels");
   EXPECT_EQ(job->plan(plan(16, 16, 12)).error().message, "tiles of 12 pixels");

@@ -1,0 +1,104 @@
+#include "client/cli/bench_run.h"
+
+#include <algorithm>
+
+#include "client/cli/connection.h"
+#include "client/cli/overrides.h"
+#include "common/scene/validate.h"
+
+namespace metamer::cli {
+namespace {
+
+namespace asio = boost::asio;
+
+/// Renders a scene and gives its timing. Errors: the session's; a job that does not finish.
+asio::awaitable<Answer<v1::Timing>> time_scene(Session& session, const BenchCase& one) {
+  Submission submission = make_submission(one.scene, {}, "bench " + one.name, false);
+  for (const Upload& mesh : one.meshes) {
+    v1::AssetName& asset = *submission.request.add_asset();
+    asset.set_name(mesh.name);
+    asset.set_sha256(std::string(to_bytes(mesh.sha256)));
+    submission.uploads.push_back(mesh);
+  }
+  const Answer<std::uint64_t> job_id = co_await session.submit(submission);
+  if (!job_id) co_return tl::unexpected<SessionError>(job_id.error());
+  v1::Watch request;
+  request.set_job_id(*job_id);
+  v1::JobEvent last;
+  const Session::OnEvent keep = [&](const v1::JobEvent& event) -> Answer<void> {
+    last = event;
+    return {};
+  };
+  const Answer<void> watched = co_await session.watch(request, keep);
+  if (!watched) co_return tl::unexpected<SessionError>(watched.error());
+  if (!last.has_finished())
+    co_return session_error(SessionError::Kind::refused,
+                            "the job did not finish: " + last.failed().reason());
+  co_return last.finished().timing();
+}
+
+asio::awaitable<Answer<std::vector<Measured>>> measure(Session& session,
+                                                       const std::vector<BenchCase>& cases,
+                                                       std::uint32_t rounds) {
+  std::vector<Measured> measured(cases.size());
+  for (std::uint32_t round = 0; round <= rounds; ++round) {
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      const Answer<v1::Timing> timing = co_await time_scene(session, cases[i]);
+      if (!timing) co_return tl::unexpected<SessionError>(timing.error());
+      if (round == 0) continue;
+      measured[i].seconds.push_back(timing->render());
+      measured[i].models.push_back(timing->models());
+    }
+  }
+  co_return measured;
+}
+
+/// The cases with the options in place of their settings. Empty: they make no sense, and it is
+/// said.
+std::vector<BenchCase> cases_with(const Overrides& overrides, std::vector<BenchCase> cases,
+                                  Report& report) {
+  for (BenchCase& one : cases) {
+    const auto replaced = apply(overrides, one.scene);
+    if (!replaced) {
+      report.problem(replaced.error(), {});
+      return {};
+    }
+    const std::vector<Problem> problems = validate_scene(one.scene);
+    for (const Problem& wrong : problems) report.problem(wrong, {});
+    if (!problems.empty()) return {};
+  }
+  return cases;
+}
+
+}  // namespace
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
+
+std::vector<double> relative(const Measured& one, const Measured& base) {
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < one.seconds.size(); ++i)
+    ratios.push_back(one.seconds[i] / base.seconds[i]);
+  return ratios;
+}
+
+ExitCode run_bench(const BenchOptions& options, std::vector<BenchCase> all,
+                   const std::string& legend, const PrintBench& print) {
+  Report report(options.common.json);
+  const std::vector<BenchCase> cases = cases_with(options.overrides, std::move(all), report);
+  if (cases.empty()) return report.finish(ExitCode::bad_input);
+  const auto run = [&](Session& session, Interrupts&) -> asio::awaitable<ExitCode> {
+    const Answer<std::vector<Measured>> measured = co_await measure(session, cases, options.rounds);
+    if (!measured) co_return report.session_error(measured.error());
+    report.line(bench_scene_text(cases[0].scene) + ", " + std::to_string(options.rounds) +
+                (options.rounds == 1 ? " round" : " rounds") + "; medians. " + legend);
+    print(cases, *measured, report);
+    co_return ExitCode::done;
+  };
+  return report.finish(with_any_server(options.common, report, run));
+}
+
+}  // namespace metamer::cli
