@@ -118,7 +118,8 @@ asio::awaitable<Answer<std::vector<Recorded>>> record(View& view, const v1::Came
     change.set_revision(i);
     *change.mutable_camera() =
         i == options.frames ? camera : turned(camera, options.degrees * swing);
-    co_await view.update(std::move(change));
+    Answer<void> sent = co_await view.update(std::move(change));
+    if (!sent) co_return tl::unexpected<SessionError>(std::move(sent.error()));
     co_await view.ask();
   }
   co_return recorded;

@@ -125,22 +125,22 @@ asio::awaitable<Answer<v1::JobSummary>> Session::resume(std::uint64_t job_id) {
   return control(std::move(request));
 }
 
-asio::awaitable<Answer<void>> Session::send_missing(const Submission& submission) {
+asio::awaitable<Answer<void>> Session::send_missing(const std::vector<Upload>& uploads) {
   const v1::Limits& limits = state_->welcome.limits();
-  if (submission.uploads.size() > limits.assets_per_job())
+  if (uploads.size() > limits.assets_per_job())
     co_return session_error(
-        Kind::input, "the scene and its files are " + std::to_string(submission.uploads.size()) +
+        Kind::input, "the scene and its files are " + std::to_string(uploads.size()) +
                          " assets; the server takes " + std::to_string(limits.assets_per_job()));
 
   // Ask what the server lacks, in as many requests as the limit of a frame makes necessary.
   constexpr std::size_t digests_at_once = 4096;  // × 34 bytes: 136 KiB
   std::map<Digest, const Upload*> missing;
-  for (std::size_t begin = 0; begin < submission.uploads.size(); begin += digests_at_once) {
-    const std::size_t end = std::min(begin + digests_at_once, submission.uploads.size());
+  for (std::size_t begin = 0; begin < uploads.size(); begin += digests_at_once) {
+    const std::size_t end = std::min(begin + digests_at_once, uploads.size());
     v1::Envelope offer;
     std::map<Digest, const Upload*> offered;
     for (std::size_t i = begin; i < end; ++i) {
-      const Upload& upload = submission.uploads[i];
+      const Upload& upload = uploads[i];
       offer.mutable_offer_assets()->add_sha256(std::string(to_bytes(upload.sha256)));
       offered.emplace(upload.sha256, &upload);
     }
@@ -164,7 +164,7 @@ asio::awaitable<Answer<void>> Session::send_missing(const Submission& submission
 }
 
 asio::awaitable<Answer<std::uint64_t>> Session::submit(const Submission& submission) {
-  Answer<void> sent = co_await send_missing(submission);
+  Answer<void> sent = co_await send_missing(submission.uploads);
   if (!sent) co_return tl::unexpected<SessionError>(std::move(sent.error()));
   v1::Envelope request;
   *request.mutable_submit() = submission.request;

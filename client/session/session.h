@@ -47,7 +47,7 @@ class Session {
   explicit Session(std::shared_ptr<State> state);
   boost::asio::awaitable<Answer<v1::Envelope>> ask(v1::Envelope request);
   boost::asio::awaitable<Answer<v1::JobSummary>> control(v1::Envelope request);
-  boost::asio::awaitable<Answer<void>> send_missing(const Submission& submission);
+  boost::asio::awaitable<Answer<void>> send_missing(const std::vector<Upload>& uploads);
   boost::asio::awaitable<Answer<void>> send(const Upload& upload);
 
   std::shared_ptr<State> state_;

@@ -46,7 +46,7 @@ View::~View() = default;
 
 asio::awaitable<Answer<std::unique_ptr<View>>> View::open(Session& session,
                                                           const Submission& submission) {
-  Answer<void> sent = co_await session.send_missing(submission);
+  Answer<void> sent = co_await session.send_missing(submission.uploads);
   if (!sent) co_return tl::unexpected<SessionError>(std::move(sent.error()));
   std::unique_ptr<View> view(
       new View(session, std::make_unique<Session::Exchange>(*session.state_)));
@@ -74,11 +74,20 @@ asio::awaitable<void> View::send(v1::Envelope request) {
   co_await session_.state_->write(request);
 }
 
-asio::awaitable<void> View::update(v1::UpdateView change) {
+asio::awaitable<Answer<void>> View::update(v1::UpdateView change,
+                                           const std::vector<Upload>& files) {
+  Answer<void> sent = co_await session_.send_missing(files);
+  if (!sent) co_return sent;
+  for (const Upload& file : files) {
+    v1::AssetName& asset = *change.add_asset();
+    asset.set_name(file.name);
+    asset.set_sha256(std::string(to_bytes(file.sha256)));
+  }
   v1::Envelope request;
   change.set_view_id(id_);
   *request.mutable_update_view() = std::move(change);
   co_await send(std::move(request));
+  co_return Answer<void>();
 }
 
 asio::awaitable<void> View::ask() {

@@ -21,8 +21,10 @@ class View {
   /// What is shown and how, as the newest change has it.
   const v1::Plan& plan() const { return plan_; }
 
-  /// Changes what is seen; `view_id` is filled in. What the server thinks of it comes by next().
-  boost::asio::awaitable<void> update(v1::UpdateView change);
+  /// Changes what is seen; `view_id` is filled in, and `files` are sent as far as the server lacks
+  /// them, by the names that the change has for them. What the server thinks of it comes by next().
+  boost::asio::awaitable<Answer<void>> update(v1::UpdateView change,
+                                              const std::vector<Upload>& files = {});
   /// Asks for one frame more; at most two may be asked for and not yet here.
   boost::asio::awaitable<void> ask();
 

@@ -27,6 +27,8 @@ inline constexpr double min_wavelength = 1;           ///< nm; spectra and posit
 inline constexpr double max_wavelength = 10'000;      ///< 1 nm to 10 µm; eyes see 360 to 830.
 inline constexpr double max_coordinate = 1e15;        ///< Embree aborts beyond 1.8e18.
 inline constexpr std::uint64_t max_asset = 1u << 30;  ///< Ten million triangles as PLY.
+/// Files of a scene: with names of 200 bytes and their digests they are 240 KiB, a control message.
+inline constexpr std::size_t max_assets = 1024;
 inline constexpr std::uint64_t max_triangles = 50'000'000;  ///< 8 GB of BVH.
 
 }  // namespace metamer::limits

@@ -196,10 +196,10 @@ tl::expected<void, Refusal> Dispatch::take_chunk(const Digest& digest,
 /// Keeps a scene's assets from eviction, before anything else may need room.
 tl::expected<AssetHolds, Refusal> Dispatch::hold(const std::string& scene, const AssetNames& assets,
                                                  v1::Backend backend) {
-  if (static_cast<std::size_t>(assets.size()) > max_assets_per_job) {
+  if (static_cast<std::size_t>(assets.size()) > limits::max_assets) {
     return refuse(v1::Error::LIMIT, "a scene with " + std::to_string(assets.size()) +
                                         " assets is over the limit of " +
-                                        std::to_string(max_assets_per_job));
+                                        std::to_string(limits::max_assets));
   }
   if (!v1::Backend_IsValid(backend))
     return refuse(v1::Error::LIMIT, "there is no backend of number " + std::to_string(backend));

@@ -11,8 +11,6 @@
 /// What the service accepts and keeps. Each bound has its reason.
 namespace metamer::service {
 
-/// 1,024 names of 200 bytes with their digests are 240 KiB: Submit stays a control message.
-inline constexpr std::size_t max_assets_per_job = 1024;
 /// Jobs that have not ended. With as many ended ones, a JobList stays a control message:
 /// 512 × (max_job_name + max_reason + 80) bytes = 240 KiB.
 inline constexpr std::size_t max_live_jobs = 256;
@@ -52,7 +50,7 @@ inline v1::Limits limits_message() {
   message.set_control_frame(wire::max_control_frame);
   message.set_chunk(wire::max_chunk);
   message.set_asset(limits::max_asset);
-  message.set_assets_per_job(max_assets_per_job);
+  message.set_assets_per_job(limits::max_assets);
   message.set_queued_jobs(max_live_jobs);
   message.set_pixels(limits::max_pixels);
   return message;

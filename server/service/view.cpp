@@ -51,9 +51,9 @@ tl::expected<View::Order, Refusal> View::update(const v1::UpdateView& update) {
     const auto digest = digest_from_bytes(asset.sha256());
     if (!digest || !assets_.add(*digest))
       return refuse(v1::Error::MISSING_ASSET, "the store lacks " + asset.name());
-    if (assets_.size() > max_assets_per_job)
+    if (assets_.size() > limits::max_assets)
       return refuse(v1::Error::LIMIT,
-                    "a view with more than " + std::to_string(max_assets_per_job) + " assets");
+                    "a view with more than " + std::to_string(limits::max_assets) + " assets");
   }
   v1::UpdateView merged = waiting_ ? *waiting_ : v1::UpdateView();
   merged.set_view_id(id_);

@@ -63,6 +63,15 @@ void replace(const google::protobuf::RepeatedPtrField<Item>& changes, const std:
   }
 }
 
+/// Each in the place of what has its name, or behind the others.
+void add_names(const AssetNames& more, AssetNames& to) {
+  for (const v1::AssetName& asset : more) {
+    const auto found = std::find_if(
+        to.begin(), to.end(), [&](const v1::AssetName& one) { return one.name() == asset.name(); });
+    (found != to.end() ? *found : *to.Add()) = asset;
+  }
+}
+
 /// The pattern's samples so that each frame is about as well off as the next: the pattern's own
 /// order goes from one side of the pixel to the other.
 std::vector<SamplePoint> spread(const std::vector<SamplePoint>& pattern) {
@@ -93,11 +102,17 @@ bool View::open(const v1::OpenView& message) {
     return false;
   }
   *scene.mutable_settings() = view_settings(scene.settings(), options_.gl);
+  opened_with_ = message.asset_size();
   if (auto done = compile(scene, message.asset()); !done) {
     send_closed(v1::Failed::BAD_INPUT, "the scene has problems", done.error());
     return false;
   }
   return prepare(start);
+}
+
+/// Those that objects may be made of: what updates add is of spectra.
+AssetNames View::opened(const AssetNames& names) const {
+  return {names.begin(), names.begin() + opened_with_};
 }
 
 /// Imports and places everything.
@@ -108,7 +123,7 @@ tl::expected<void, View::Problems> View::compile(const v1::Scene& scene, const A
   if (!compiled) return tl::unexpected(std::move(compiled.error()));
   picture_.reset();  // before the scene that it refers to
   space_ = CameraSpace::of(*compiled);
-  objects_key_ = objects_key(scene, *compiled, names);
+  objects_key_ = objects_key(scene, *compiled, opened(names));
   scene_ = std::make_unique<RenderScene>(std::move(*compiled));
   space_.place(*scene_);
   message_ = scene;
@@ -123,7 +138,7 @@ tl::expected<void, View::Problems> View::recompile(const v1::Scene& scene,
   auto compiled = compile_appearance(scene, stored_assets(names, options_.store));
   ++work_;
   if (!compiled) return tl::unexpected(std::move(compiled.error()));
-  if (objects_key(scene, *compiled, names) != objects_key_) return compile(scene, names);
+  if (objects_key(scene, *compiled, opened(names)) != objects_key_) return compile(scene, names);
   compiled->objects = std::move(scene_->objects);
   compiled->meshes = std::move(scene_->meshes);
   *scene_ = std::move(*compiled);
@@ -144,7 +159,9 @@ bool View::update(const v1::UpdateView& message) {
   replace(message.light(), "light", *scene.mutable_light(), problems);
   replace(message.material(), "material", *scene.mutable_material(), problems);
   AssetNames names = names_;
-  names.MergeFrom(message.asset());
+  add_names(message.asset(), names);
+  if (static_cast<std::size_t>(names.size()) > limits::max_assets)
+    problems.push_back({.field = "asset", .file = {}, .message = "the view has too many files"});
 
   const bool camera_alone =
       !message.has_settings() && message.light_size() + message.material_size() == 0;
@@ -188,7 +205,7 @@ bool View::prepare(Clock::time_point start) {
     return false;
   }
   method_ = std::move(method);
-  developer_ = std::move(*developer);
+  developer_ = *developer;
   pattern_ = spread(sample_pattern(plan_.spp()));
   begin_anew();
   ++work_;

@@ -45,6 +45,7 @@ class View {
  private:
   using Clock = std::chrono::steady_clock;
 
+  AssetNames opened(const AssetNames& names) const;
   tl::expected<void, Problems> compile(const v1::Scene& scene, const AssetNames& names);
   tl::expected<void, Problems> recompile(const v1::Scene& scene, const AssetNames& names);
   bool prepare(Clock::time_point start);
@@ -62,8 +63,9 @@ class View {
   Work& work_;
   const std::atomic<bool>& hurried_;
 
-  v1::Scene message_;  ///< As it now is, its settings complete.
-  AssetNames names_;
+  v1::Scene message_;    ///< As it now is, its settings complete.
+  AssetNames names_;     ///< Those of the opening first.
+  int opened_with_ = 0;  ///< So many.
   CameraSpace space_;
   std::string objects_key_;
   std::unique_ptr<RenderScene> scene_;

@@ -50,8 +50,10 @@ class Viewer {
     });
     return view;
   }
-  void update(View& view, v1::UpdateView change) {
-    run([&]() -> asio::awaitable<void> { co_await view.update(std::move(change)); });
+  void update(View& view, v1::UpdateView change, const std::vector<Upload>& files = {}) {
+    run([&]() -> asio::awaitable<void> {
+      EXPECT_TRUE(co_await view.update(std::move(change), files));
+    });
   }
   void ask(View& view) {
     run([&]() -> asio::awaitable<void> { co_await view.ask(); });
@@ -241,6 +243,30 @@ TEST(View, ARefusedChangeLeavesItAsItWas) {
   same.set_revision(2);
   viewer.update(*view, same);
   EXPECT_EQ(viewer.complete(*view, 2).rgb, before.rgb);
+}
+
+TEST(View, ALightMayBecomeThatOfAFile) {
+  const Daemon daemon;
+  Viewer viewer(daemon);
+  const auto by_file = viewer.open(direct_scene()), by_samples = viewer.open(direct_scene());
+  ASSERT_TRUE(by_file && by_samples);
+  v1::UpdateView change;
+  const std::string lamp = "light { name: 'lamp' position { x: 1 y: 3 z: 2 } ";
+  ASSERT_TRUE(google::protobuf::TextFormat::ParseFromString(
+      lamp + "spectrum { samples { wavelength: [400, 700] value: [1, 4] } } }", &change));
+  viewer.update(*by_samples, change);
+  const View::Picture expected = viewer.complete(*by_samples, 0);
+
+  Upload file;
+  file.name = "lamp.txt";
+  file.bytes = "400 1\n700 4\n";
+  file.size = file.bytes.size();
+  file.sha256 = sha256(file.bytes);
+  ASSERT_TRUE(google::protobuf::TextFormat::ParseFromString(
+      lamp + "spectrum { file: 'lamp.txt' } }", &change));
+  change.set_revision(1);
+  viewer.update(*by_file, change, {file});
+  EXPECT_EQ(viewer.complete(*by_file, 1).rgb, expected.rgb);
 }
 
 TEST(View, AJobAndViewsOfBothBackendsShareTheirWorkers) {
