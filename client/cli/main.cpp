@@ -60,11 +60,9 @@ void add_scene_commands(CLI::App& app, AllOptions& all, Action& chosen) {
       ->capture_default_str();
   view_command
       .add_option("--swing", all.view.degrees, "of the camera around its target, to each side")
-      ->check(CLI::Range(0.0, 180.0))
       ->type_name("DEGREES")
       ->capture_default_str();
-  view_command.add_option("--rate", all.view.rate, "frames a second, at most")
-      ->check(CLI::PositiveNumber);
+  view_command.add_option("--rate", all.view.rate, "frames a second, at most");
   view_command.add_option("-o,--output", all.view.output,
                           "a .png of the last frame, once it has all its samples");
   add_overrides(view_command, all.view.overrides);

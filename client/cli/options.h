@@ -212,9 +212,9 @@ struct ViewOptions {
   std::string scene;
   Overrides overrides;
   std::uint32_t frames = 60;
-  double degrees = 10;         ///< That the camera swings to both sides of its place.
-  std::optional<double> rate;  ///< Frames a second, at most.
-  std::string output;          ///< A .png of the complete picture; empty: none.
+  double degrees = 10;                ///< That the camera swings to both sides of its place.
+  std::optional<double> rate;         ///< Frames a second, at most.
+  std::optional<std::string> output;  ///< A .png of the complete picture.
 };
 
 /// Two picture files; no server.

@@ -7,12 +7,14 @@
 #include <boost/asio/use_awaitable.hpp>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "client/cli/commands.h"
 #include "client/cli/connection.h"
 #include "client/cli/development.h"
 #include "client/cli/method_text.h"
+#include "client/cli/output.h"
 #include "client/cli/scene_input.h"
 
 namespace metamer::cli {
@@ -65,49 +67,67 @@ void report_row(const char* name, const std::vector<double>& seconds, Report& re
   report.document()[name] = {{"median", median}, {"percentile_95", most}, {"longest", longest}};
 }
 
+/// "9 of 160×120, 1 of 640×480"
+std::string sizes_text(const std::vector<Recorded>& recorded) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> counts;
+  for (const Recorded& one : recorded) ++counts[{one.width, one.height}];
+  std::string text;
+  for (const auto& [size, count] : counts)
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " of " +
+            std::to_string(size.first) + "×" + std::to_string(size.second);
+  return text;
+}
+
 void report_frames(const std::vector<Recorded>& recorded, Report& report) {
+  Json& frames = report.document()["frames"] = Json::array();
   std::vector<double> apart, rendered, developed;
   double whole = 0;
-  Json& frames = report.document()["frames"] = Json::array();
   for (const Recorded& one : recorded) {
     Json row = to_json(one.frame);
     row["width"] = one.width;
     row["height"] = one.height;
     row["after"] = one.after;
     frames.push_back(std::move(row));
-    apart.push_back(one.after);
+    if (frames.size() > 1) apart.push_back(one.after);
     rendered.push_back(one.frame.render());
     developed.push_back(one.frame.develop());
-    whole += one.after;
+    if (frames.size() > 1) whole += one.after;
   }
-  const double rate = static_cast<double>(recorded.size()) / whole;
-  char text[160];
-  std::snprintf(text, sizeof text, "%zu frames in %.2f s, %.1f a second", recorded.size(), whole,
-                rate);
+  if (recorded.empty()) return report.line("no frames");
+  std::string text = std::to_string(recorded.size()) + " frames (" + sizes_text(recorded) + ")";
+  if (!apart.empty()) {
+    const double rate = static_cast<double>(apart.size()) / whole;
+    char number[48];
+    std::snprintf(number, sizeof number, ", %.1f a second", rate);
+    text += number;
+    report.document()["rate"] = rate;
+  }
   report.line(text);
-  report.document()["rate"] = rate;
   report.line("milliseconds     median      95 %  longest");
-  report_row("apart", apart, report);
+  report_row("first", {recorded.front().after}, report);
+  if (!apart.empty()) report_row("apart", apart, report);
   report_row("rendered", rendered, report);
   report_row("developed", developed, report);
 }
 
-/// Moves the camera with each frame, and asks for the next while this one is looked at.
+/// Moves the camera with each frame, and asks for the next while this one is looked at; until all
+/// are there, or `enough`.
 asio::awaitable<Answer<std::vector<Recorded>>> record(View& view, const v1::Camera& camera,
-                                                      const ViewOptions& options) {
+                                                      const ViewOptions& options,
+                                                      const bool& enough) {
   asio::steady_timer pace(co_await asio::this_coro::executor);
   std::vector<Recorded> recorded;
   co_await view.ask();
   co_await view.ask();
   auto last = Clock::now();
-  for (std::uint32_t i = 1; i <= options.frames; ++i) {
+  for (std::uint32_t i = 1; i <= options.frames && !enough; ++i) {
     Answer<View::Picture> picture = co_await view.next();
     if (!picture) co_return tl::unexpected<SessionError>(std::move(picture.error()));
     const auto now = Clock::now();
     recorded.push_back({picture->frame, picture->width, picture->height,
                         std::chrono::duration<double>(now - last).count()});
     last = now;
-    if (options.rate) {
+    if (options.rate && i < options.frames) {
       pace.expires_at(now + std::chrono::duration_cast<Clock::duration>(
                                 std::chrono::duration<double>(1 / *options.rate)));
       co_await pace.async_wait(asio::use_awaitable);
@@ -135,8 +155,31 @@ asio::awaitable<Answer<View::Picture>> complete(View& view, std::uint64_t revisi
   }
 }
 
-asio::awaitable<ExitCode> view_on(Session& session, const ViewOptions& options,
-                                  const SceneInput& scene, Report& report) {
+/// Writes a frame that has all its samples.
+ExitCode write_picture(const View::Picture& picture, const v1::Plan& plan, const std::string& file,
+                       Report& report) {
+  const auto developing = planned_developing(plan);
+  const Result<void> written =
+      !developing ? Result<void>(tl::unexpected(developing.error()))
+                  : write_rgb(static_cast<int>(picture.width), static_cast<int>(picture.height),
+                              picture.rgb, file, developing->developing);
+  if (!written) {
+    report.problem(written.error(), {});
+    return ExitCode::other;
+  }
+  if (picture.frame.out_of_gamut() > 0) {
+    Problem note;
+    note.message = std::to_string(picture.frame.out_of_gamut()) + " pixels are of colours that " +
+                   developing->developing.space.name + " does not hold: clipped";
+    report.note(note);
+  }
+  report.line(file + ", " + std::to_string(picture.frame.samples()) + " samples of each pixel");
+  return ExitCode::done;
+}
+
+asio::awaitable<ExitCode> view_on(Session& session, Interrupts& interrupts,
+                                  const ViewOptions& options, const SceneInput& scene,
+                                  Report& report) {
   const auto fail = [&](const SessionError& error) {
     for (const v1::Problem& problem : error.problems) scene.print(from_wire(problem), report);
     return error.problems.empty() ? report.session_error(error) : ExitCode::bad_input;
@@ -152,40 +195,46 @@ asio::awaitable<ExitCode> view_on(Session& session, const ViewOptions& options,
               plan.backend() + " backend");
   report.document()["plan"] = to_json(plan);
 
-  Answer<std::vector<Recorded>> recorded = co_await record(view, scene.scene().camera(), options);
+  bool enough = false;
+  interrupts.on_first([&] { enough = true; });
+  Answer<std::vector<Recorded>> recorded =
+      co_await record(view, scene.scene().camera(), options, enough);
+  interrupts.on_first({});
   if (!recorded) co_return fail(recorded.error());
   report_frames(*recorded, report);
-  if (options.output.empty()) co_return ExitCode::done;
+  if (enough) co_return ExitCode::cancelled;
+  if (!options.output) co_return ExitCode::done;
 
   const Answer<View::Picture> picture = co_await complete(view, options.frames);
   if (!picture) co_return fail(picture.error());
-  const auto developing = planned_developing(view.plan());
-  const Result<void> written =
-      !developing ? Result<void>(tl::unexpected(developing.error()))
-                  : write_rgb(static_cast<int>(picture->width), static_cast<int>(picture->height),
-                              picture->rgb, options.output, developing->developing);
-  if (!written) {
-    report.problem(written.error(), {});
-    co_return ExitCode::other;
-  }
-  report.line("wrote " + options.output + ", " + std::to_string(picture->frame.samples()) +
-              " samples of each pixel");
-  co_return ExitCode::done;
+  co_return write_picture(*picture, view.plan(), *options.output, report);
+}
+
+/// What no parser of words finds.
+bool check(const ViewOptions& options, Report& report) {
+  std::string wrong;
+  if (options.rate && !(*options.rate >= 0.001 && *options.rate <= 1e6))
+    wrong = "--rate: frames a second from 0.001 to 1000000";
+  if (!(options.degrees >= 0 && options.degrees <= 180)) wrong = "--swing: degrees from 0 to 180";
+  if (options.output && std::filesystem::path(*options.output).extension() != ".png")
+    wrong = "--output: \"" + *options.output + "\" does not end in .png";
+  if (!wrong.empty()) report.error(wrong);
+  OutputOptions output;
+  if (options.output) output.files = {*options.output};
+  return wrong.empty() && check_output(output, report);
 }
 
 }  // namespace
 
 ExitCode view(const ViewOptions& options) {
   Report report(options.common.json);
-  if (!options.output.empty() && std::filesystem::path(options.output).extension() != ".png") {
-    report.error("-o: \"" + options.output + "\" does not end in .png");
-    return report.finish(ExitCode::bad_input);
-  }
+  if (!check(options, report)) return report.finish(ExitCode::bad_input);
   const auto scene = SceneInput::load(options.scene, options.overrides, report);
   if (!scene) return report.finish(ExitCode::bad_input);
-  return report.finish(with_any_server(options.common, report, [&](Session& session, Interrupts&) {
-    return view_on(session, options, *scene, report);
-  }));
+  return report.finish(
+      with_any_server(options.common, report, [&](Session& session, Interrupts& interrupts) {
+        return view_on(session, interrupts, options, *scene, report);
+      }));
 }
 
 }  // namespace metamer::cli

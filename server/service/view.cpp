@@ -49,7 +49,10 @@ v1::WorkerEnvelope View::closing() const {
 tl::expected<View::Order, Refusal> View::update(const v1::UpdateView& update) {
   for (const v1::AssetName& asset : update.asset()) {
     const auto digest = digest_from_bytes(asset.sha256());
-    if (!digest || !assets_.add(*digest))
+    if (!digest)
+      return refuse(v1::Error::LIMIT,
+                    "a digest has 32 bytes, not " + std::to_string(asset.sha256().size()));
+    if (!assets_.add(*digest))
       return refuse(v1::Error::MISSING_ASSET, "the store lacks " + asset.name());
     if (assets_.size() > limits::max_assets)
       return refuse(v1::Error::LIMIT,

@@ -74,7 +74,6 @@ void Lane::stop(std::uint64_t job_id) {
   if (!job_ || job_->id() != job_id) return;
   if (in_step_ || waiting_) {
     job_->stop();  // the step answers
-    views_.hurry(true);
   } else if (!job_->ended()) {
     job_->stop();
     job_->send_stopped();
@@ -111,7 +110,6 @@ void Lane::run() {
     // A stop that came after the step last looked is answered here.
     if (job_->stopped() && !job_->ended()) job_->send_stopped();
     in_step_ = false;
-    views_.hurry(false);
     changed_.notify_all();
   }
 }

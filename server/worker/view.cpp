@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <numeric>
+#include <utility>
 
 #include "common/scene/limits.h"
 #include "common/scene/settings.h"
@@ -24,6 +25,8 @@ constexpr double coarse_above = 1.0 / 30;  // s
 const std::atomic<bool> never = false;
 /// On a side of the coarse picture.
 constexpr std::uint32_t coarse_pixels = 4;
+/// What a turn takes before others have theirs.
+constexpr std::chrono::milliseconds turn_time{20};
 /// Farther away than this, in sizes of the scene, f32 is no longer fine enough for it.
 constexpr double far_away = 16;
 /// A band with all around it is a frame of a worker's message.
@@ -57,9 +60,10 @@ void replace(const google::protobuf::RepeatedPtrField<Item>& changes, const std:
     if (found != to.end())
       *found = changes[i];
     else
-      problems.push_back({.field = field + "[" + std::to_string(i) + "].name",
-                          .file = {},
-                          .message = "the scene has no " + field + " of this name"});
+      problems.push_back(
+          {.field = field + "[" + std::to_string(i) + "].name",
+           .file = {},
+           .message = "the scene has no " + field + " named " + quoted(changes[i].name())});
   }
 }
 
@@ -87,9 +91,8 @@ std::vector<SamplePoint> spread(const std::vector<SamplePoint>& pattern) {
 
 }  // namespace
 
-View::View(std::uint64_t id, const WorkerOptions& options, Link& link, Work& work,
-           const std::atomic<bool>& hurried)
-    : id_(id), options_(options), link_(link), work_(work), hurried_(hurried) {}
+View::View(std::uint64_t id, const WorkerOptions& options, Link& link, Work& work)
+    : id_(id), options_(options), link_(link), work_(work) {}
 
 View::~View() = default;
 
@@ -149,7 +152,14 @@ tl::expected<void, View::Problems> View::recompile(const v1::Scene& scene,
   return {};
 }
 
-bool View::update(const v1::UpdateView& message) {
+bool View::turn() {
+  // The first frame of a revision is drawn to its end, or a stream of updates would show nothing.
+  const bool first = next_part_ > 0 && drawn_ == 0;
+  if (update_ && !first && !change(*std::exchange(update_, std::nullopt))) return false;
+  return !has_frame() || draw();
+}
+
+bool View::change(const v1::UpdateView& message) {
   const auto start = Clock::now();
   Problems problems;
   v1::Scene scene = message_;
@@ -215,50 +225,48 @@ bool View::prepare(Clock::time_point start) {
 
 void View::begin_anew() {
   drawn_ = 0;
+  next_part_ = 0;
+  frame_seconds_ = 0;
   coarse_ = sample_seconds_ > coarse_above;
 }
 
+/// The first sample goes right into the sum, any other is added to it.
 bool View::draw() {
   const auto start = Clock::now();
-  std::uint32_t width = plan_.width(), height = plan_.height();
-  if (coarse_) {
-    width = (width + coarse_pixels - 1) / coarse_pixels;
-    height = (height + coarse_pixels - 1) / coarse_pixels;
-  }
-  const Result<bool> done = draw_sample(width, height, coarse_ ? 0 : drawn_);
+  const std::uint32_t part = coarse_ ? coarse_pixels : 1;
+  const std::uint32_t width = (plan_.width() + part - 1) / part;
+  const std::uint32_t height = (plan_.height() + part - 1) / part;
+  std::vector<float>& to = drawn_ == 0 ? sum_ : sample_;
+  to.resize(std::size_t{width} * height * 3);
+  const auto sample = std::span(pattern_).subspan(drawn_, 1);
+  const auto whole =
+      picture_->draw({to.data(), width, height}, sample, start + turn_time, next_part_, work_);
   ++work_;
-  if (!done) {
-    send_closed(v1::Failed::SERVER, done.error().message);
+  if (!whole) {
+    send_closed(v1::Failed::SERVER, whole.error().message);
     // The next one gets a new worker, with a new context.
     if (options_.gl && !gl::check_context()) std::_Exit(1);
     return false;
   }
-  if (!*done) return true;
-  --credits_;
-  v1::Frame frame;
-  frame.set_render(seconds_since(start));
-  if (!coarse_ && ++drawn_ == 1) sample_seconds_ = frame.render();
-  coarse_ = false;
-  send_frame(width, height, frame);
-  return true;
-}
+  frame_seconds_ += seconds_since(start);
+  if (!*whole) return true;
 
-/// Into the sum: the first in its place, any other added. False: hurried, nothing is changed.
-Result<bool> View::draw_sample(std::uint32_t width, std::uint32_t height, std::size_t index) {
-  std::vector<float>& to = index == 0 ? sum_ : sample_;
-  to.resize(std::size_t{width} * height * 3);
-  const Film film{to.data(), width, height};
-  const auto done = picture_->draw(film, std::span(pattern_).subspan(index, 1), hurried_, work_);
-  if (!done) return tl::unexpected(done.error());
-  if (hurried_) return false;
-  if (index > 0)
+  if (drawn_ > 0)
     for (std::size_t i = 0; i < sum_.size(); ++i) sum_[i] += sample_[i];
+  if (!coarse_ && ++drawn_ == 1) sample_seconds_ = frame_seconds_;
+  coarse_ = false;
+  --credits_;
+  send_frame(width, height);
+  next_part_ = 0;
+  frame_seconds_ = 0;
   return true;
 }
 
 /// In bands of whole rows, which the daemon hands on as they are.
-void View::send_frame(std::uint32_t width, std::uint32_t height, v1::Frame frame) {
+void View::send_frame(std::uint32_t width, std::uint32_t height) {
   const auto start = Clock::now();
+  v1::Frame frame;
+  frame.set_render(frame_seconds_);
   const auto samples = static_cast<std::uint32_t>(std::max<std::size_t>(1, drawn_));
   rgb_.resize(std::size_t{width} * height * 3);
   frame.set_out_of_gamut(developer_->develop(sum_, 1 / static_cast<float>(samples), rgb_));

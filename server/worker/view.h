@@ -24,23 +24,20 @@ class View {
  public:
   using Problems = std::vector<Problem>;
 
-  /// While `hurried` no frame is drawn to its end: others can't wait for it.
-  View(std::uint64_t id, const WorkerOptions& options, Link& link, Work& work,
-       const std::atomic<bool>& hurried);
+  View(std::uint64_t id, const WorkerOptions& options, Link& link, Work& work);
   ~View();
 
   /// Sends Updated, or Closed and why: then false.
   bool open(const v1::OpenView& message);
-  /// Sends Updated; or Refused, and the view stays as it was. False: it was lost on the way, and
-  /// Closed was sent.
-  bool update(const v1::UpdateView& message);
-
+  /// Keeps it for the next turn; none comes before the last one was answered.
+  void update(const v1::UpdateView& message) { update_ = message; }
   void add_credit() { ++credits_; }
-  /// A frame was asked for, and there is one to draw.
-  bool has_frame() const { return credits_ > 0 && drawn_ < pattern_.size(); }
-  /// Draws the next frame and sends it in bands, unless it is hurried. False: it can't be drawn,
-  /// and Closed was sent.
-  bool draw();
+
+  bool has_work() const { return update_ || has_frame(); }
+  /// Carries out the update, which sends Updated, or Refused and the view stays as it was. Then
+  /// draws at the next frame for about a frame's time, and sends it in bands once it is whole.
+  /// False: the view is lost, and Closed was sent.
+  bool turn();
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -48,10 +45,12 @@ class View {
   AssetNames opened(const AssetNames& names) const;
   tl::expected<void, Problems> compile(const v1::Scene& scene, const AssetNames& names);
   tl::expected<void, Problems> recompile(const v1::Scene& scene, const AssetNames& names);
+  bool has_frame() const { return credits_ > 0 && drawn_ < pattern_.size(); }
+  bool change(const v1::UpdateView& message);
   bool prepare(Clock::time_point start);
   void begin_anew();
-  Result<bool> draw_sample(std::uint32_t width, std::uint32_t height, std::size_t index);
-  void send_frame(std::uint32_t width, std::uint32_t height, v1::Frame frame);
+  bool draw();
+  void send_frame(std::uint32_t width, std::uint32_t height);
   void send_updated(Clock::time_point start, bool planned);
   bool refuse(std::uint64_t revision, const Problems& problems);
   void send_closed(v1::Failed::Kind kind, const std::string& reason, const Problems& problems = {});
@@ -61,7 +60,6 @@ class View {
   const WorkerOptions& options_;
   Link& link_;
   Work& work_;
-  const std::atomic<bool>& hurried_;
 
   v1::Scene message_;    ///< As it now is, its settings complete.
   AssetNames names_;     ///< Those of the opening first.
@@ -76,10 +74,13 @@ class View {
 
   std::uint64_t revision_ = 0;
   unsigned credits_ = 0;
+  std::optional<v1::UpdateView> update_;
   std::vector<SamplePoint> pattern_;  ///< In the order in which frames add them.
   std::size_t drawn_ = 0;             ///< Samples of it.
-  bool coarse_ = false;               ///< A coarse frame comes first.
+  bool coarse_ = false;               ///< A coarse frame comes next.
   double sample_seconds_ = 1;         ///< What one sample of each pixel took last.
+  std::uint32_t next_part_ = 0;       ///< Of the frame that is being drawn.
+  double frame_seconds_ = 0;          ///< That went into it.
   std::vector<float> sum_, sample_;   ///< X Y Z of all pixels.
   std::vector<std::uint8_t> rgb_;
 };

@@ -14,7 +14,7 @@
 namespace metamer {
 namespace {
 
-const std::atomic<bool> never = false;
+const std::atomic<bool> no_end = false;
 
 class CpuPicture : public ViewPicture {
  public:
@@ -27,29 +27,33 @@ class CpuPicture : public ViewPicture {
     return {};
   }
 
-  Result<void> draw(const Film& film, std::span<const SamplePoint> samples,
-                    const std::atomic<bool>& cancelled, Work& work) override {
+  Result<bool> draw(const Film& film, std::span<const SamplePoint> samples, Clock::time_point until,
+                    std::uint32_t& next, Work& work) override {
     const cpu::Tracer tracer(
         scene_, geometry_,
         cpu::Tracer::Frame{
             film.width, film.height, plan_->depth(), {samples.begin(), samples.end()}});
-    constexpr std::uint32_t side = 32;
+    constexpr std::uint32_t side = 16;
     const std::uint32_t columns = (film.width + side - 1) / side;
     const std::uint32_t tiles = columns * ((film.height + side - 1) / side);
-    std::atomic<std::uint32_t> next = 0;
+    std::atomic<std::uint32_t> taken = next;
     tbb::task_arena arena(static_cast<int>(plan_->threads()));
     arena.execute([&] {
       tbb::parallel_for(0u, plan_->threads(), [&](unsigned) {
         cpu::Tracer::Workspace workspace = tracer.make_workspace();
         FilmSink sink(*method_, film, static_cast<std::uint32_t>(samples.size()));
-        for (std::uint32_t i = next++; i < tiles && !cancelled; i = next++) {
+        // Who has taken a tile draws it: those before `taken` are all done in the end.
+        do {
+          const std::uint32_t i = taken++;
+          if (i >= tiles) return;
           const std::uint32_t x = i % columns * side, y = i / columns * side;
           tracer.render({x, y, std::min(side, film.width - x), std::min(side, film.height - y)},
-                        sink, workspace, cancelled, work);
-        }
+                        sink, workspace, no_end, work);
+        } while (Clock::now() < until);
       });
     });
-    return {};
+    next = std::min<std::uint32_t>(taken, tiles);
+    return next == tiles;
   }
 
  private:
@@ -73,24 +77,35 @@ class GpuPicture : public ViewPicture {
     return {};
   }
 
-  Result<void> draw(const Film& film, std::span<const SamplePoint> samples,
-                    const std::atomic<bool>& cancelled, Work& work) override {
-    const std::uint32_t rows = rows_at_once(film.width);
-    for (std::uint32_t y = 0; y < film.height; y += rows) {
-      const Rect region{0, y, film.width, std::min(rows, film.height - y)};
-      if (auto done = renderer_->render(region, film, samples, cancelled, work); !done) return done;
-    }
-    return {};
+  Result<bool> draw(const Film& film, std::span<const SamplePoint> samples, Clock::time_point until,
+                    std::uint32_t& next, Work& work) override {
+    do {
+      const auto start = Clock::now();
+      const std::uint32_t rows = std::min(rows_at_once(film.width), film.height - next);
+      const Rect region{0, next, film.width, rows};
+      if (auto done = renderer_->render(region, film, samples, no_end, work); !done)
+        return tl::unexpected(done.error());
+      next += rows;
+      const std::chrono::duration<double> taken = Clock::now() - start;
+      pixel_seconds_ = taken.count() / static_cast<double>(std::uint64_t{film.width} * rows);
+    } while (next < film.height && Clock::now() < until);
+    return next == film.height;
   }
 
  private:
-  /// As many as fit into this memory with what their pixels gather of each light: mostly all.
+  /// As many as take about a turn's time and fit into memory with what their pixels gather of each
+  /// light. A GPU draws all at once.
   std::uint32_t rows_at_once(std::uint32_t width) const {
     constexpr std::uint64_t bytes = 64u << 20;
-    const std::uint64_t row = std::uint64_t{width} * (scene_.lights.size() + 1) * 16;
-    return static_cast<std::uint32_t>(std::max<std::uint64_t>(8, bytes / row));
+    constexpr double turn = 0.02;  // s
+    const double fit =
+        static_cast<double>(bytes / (std::uint64_t{width} * (scene_.lights.size() + 1) * 16));
+    const double in_time = turn / (pixel_seconds_ * width);
+    return static_cast<std::uint32_t>(std::clamp(std::min(fit, in_time), 8.0, 16384.0));
   }
 
+  /// Of a pixel, in the last region; at first that of a slow device.
+  double pixel_seconds_ = 1e-6;
   const RenderScene& scene_;
   gl::Device& device_;
   std::shared_ptr<const gl::Geometry> geometry_;
@@ -103,8 +118,8 @@ Result<std::unique_ptr<ViewPicture>> ViewPicture::make(const RenderScene& scene,
                                                        const std::string& key,
                                                        const WorkerOptions& options) {
   if (!options.gl)
-    return std::make_unique<CpuPicture>(scene, *cpu::EmbreeScene::build(scene, never));
-  auto geometry = options.gl->geometry(key, scene, never);
+    return std::make_unique<CpuPicture>(scene, *cpu::EmbreeScene::build(scene, no_end));
+  auto geometry = options.gl->geometry(key, scene, no_end);
   if (!geometry) return tl::unexpected(geometry.error());
   return std::make_unique<GpuPicture>(scene, *options.gl, std::move(*geometry));
 }

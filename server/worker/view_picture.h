@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <span>
 
@@ -25,10 +26,12 @@ class ViewPicture {
   /// what the GPU does not hold or compile.
   virtual Result<void> change(const v1::Plan& plan, const Method& method) = 0;
 
-  /// X Y Z of all pixels of the film from the scene's camera, the mean of these samples; of some of
-  /// them only when `cancelled` becomes true.
-  virtual Result<void> draw(const Film& film, std::span<const SamplePoint> samples,
-                            const std::atomic<bool>& cancelled, Work& work) = 0;
+  using Clock = std::chrono::steady_clock;
+  /// X Y Z of the film's pixels from the scene's camera, the mean of these samples, part by part
+  /// until it is time for others. `next` is where to go on: 0 for a new picture. True: all is
+  /// drawn.
+  virtual Result<bool> draw(const Film& film, std::span<const SamplePoint> samples,
+                            Clock::time_point until, std::uint32_t& next, Work& work) = 0;
 };
 
 }  // namespace metamer

@@ -30,9 +30,9 @@ void Views::serve() {
   }
   for (const v1::WorkerEnvelope& message : messages) carry_out(message);
   std::erase_if(views_,
-                [](const auto& view) { return view.second->has_frame() && !view.second->draw(); });
-  const bool more = std::any_of(views_.begin(), views_.end(),
-                                [](auto& view) { return view.second->has_frame(); });
+                [](const auto& view) { return view.second->has_work() && !view.second->turn(); });
+  const bool more =
+      std::any_of(views_.begin(), views_.end(), [](auto& view) { return view.second->has_work(); });
   const std::lock_guard lock(mutex_);
   waiting_ = more || !messages_.empty();
 }
@@ -40,7 +40,7 @@ void Views::serve() {
 void Views::carry_out(const v1::WorkerEnvelope& message) {
   if (message.has_open_view()) {
     const std::uint64_t id = message.open_view().view_id();
-    auto view = std::make_unique<View>(id, options_, link_, work_, hurried_);
+    auto view = std::make_unique<View>(id, options_, link_, work_);
     if (view->open(message.open_view().open())) views_[id] = std::move(view);
     return;
   }
@@ -51,8 +51,8 @@ void Views::carry_out(const v1::WorkerEnvelope& message) {
   const auto found = views_.find(id);
   if (found == views_.end()) return;
   if (message.has_next_frame()) return found->second->add_credit();
-  if (message.has_close_view() || !found->second->update(message.update_view()))
-    views_.erase(found);
+  if (message.has_update_view()) return found->second->update(message.update_view());
+  views_.erase(found);
 }
 
 }  // namespace metamer

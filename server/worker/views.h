@@ -10,7 +10,8 @@
 
 namespace metamer {
 
-/// All views of a worker. They have turns with each other and with the job: a frame each.
+/// All views of a worker. They have turns with each other and with the job: a frame each, or as
+/// much of it as a turn's time allows.
 class Views : public Guests {
  public:
   /// `wake` is called from any thread when there is something to serve.
@@ -20,11 +21,8 @@ class Views : public Guests {
   /// Keeps a message for the next turn; from any thread. False: it is not about views.
   bool take(const v1::WorkerEnvelope& message);
 
-  /// From any thread: lets no frame hold up the lane from now on, or again.
-  void hurry(bool hurried) { hurried_ = hurried; }
-
   bool waiting() const override { return waiting_; }
-  /// Carries out what has come, then draws a frame of each view that has one to draw.
+  /// Carries out what has come, then gives each view its turn.
   void serve() override;
 
  private:
@@ -34,7 +32,7 @@ class Views : public Guests {
   Link& link_;
   Work& work_;
   std::function<void()> wake_;
-  std::atomic<bool> waiting_ = false, hurried_ = false;
+  std::atomic<bool> waiting_ = false;
   std::mutex mutex_;
   std::vector<v1::WorkerEnvelope> messages_;
   std::map<std::uint64_t, std::unique_ptr<View>> views_;  ///< Of the lane's thread.

@@ -299,7 +299,50 @@ TEST(View, ASlowClientHoldsUpNobody) {
   EXPECT_EQ(fast["frames"].size(), 300u);
   // Had they had turns with each other, this would have come after the slow one's 300th second.
   slow->signal(SIGINT);
-  EXPECT_EQ(slow->wait().code, 5);
+  const Ended ended = slow->wait();
+  EXPECT_EQ(ended.code, 5);
+  EXPECT_NE(ended.out.find(" frames ("), std::string::npos) << "what was recorded is told";
+}
+
+TEST(View, AHeavyOneLeavesTheOthersTheirTurns) {
+  const Daemon daemon;
+  Viewer viewer(daemon);
+  v1::Scene heavy = direct_scene();
+  // Minutes for its first frame, and it is closed in the middle of it.
+  heavy.mutable_settings()->set_width(2048);
+  heavy.mutable_settings()->set_height(2048);
+  const v1::Light lamp = heavy.light(0);
+  for (int i = 0; i < 200; ++i) {
+    *heavy.add_light() = lamp;
+    heavy.mutable_light()->rbegin()->set_name("lamp " + std::to_string(i));
+  }
+  heavy.mutable_settings()->mutable_method()->mutable_point()->set_from(380);
+  heavy.mutable_settings()->mutable_method()->mutable_point()->set_to(780);
+  heavy.mutable_settings()->mutable_method()->mutable_point()->set_step(0.1);
+  const auto big = viewer.open(heavy);
+  ASSERT_TRUE(big) << viewer.error().message;
+  viewer.ask(*big);
+  const auto small = viewer.open(direct_scene());
+  ASSERT_TRUE(small);
+  viewer.complete(*small, 0);
+  viewer.close(*big);
+}
+
+TEST(View, WordsThatMakeNoSenseAreRefused) {
+  const Folder folder;
+  const std::string scene = folder.write("scene.txtpb", small_scene());
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"--rate", "nan"},
+                                                {"--rate", "0"},
+                                                {"--swing", "nan"},
+                                                {"--swing", "-1"},
+                                                {"-o", folder / "a.exr"},
+                                                {"-o", folder / "none/a.png"},
+                                                {"-o", ""},
+                                                {"--record", "0"}}) {
+    std::vector<std::string> all = {"view", scene};
+    all.insert(all.end(), words.begin(), words.end());
+    EXPECT_EQ(metamer(all).code, 2) << words[0] << ' ' << words[1];
+  }
 }
 
 TEST(View, EndsWithItsWorkerAndCanBeOpenedAgain) {

@@ -155,6 +155,8 @@ TEST_F(ViewTest, AnAssetThatTheStoreLacksIsRefused) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, v1::Error::MISSING_ASSET);
   EXPECT_EQ(refused.error().message, "the store lacks lamp.txt");
+  change.mutable_asset(0)->set_sha256("short");
+  EXPECT_EQ(view_.update(change).error().message, "a digest has 32 bytes, not 5");
 }
 
 }  // namespace
