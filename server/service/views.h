@@ -23,7 +23,6 @@ class Views {
   ViewPtr find(std::uint64_t id) const;
   /// Ends those of a backend: it has lost its worker, or there is none.
   void end(v1::Backend backend, const std::string& reason);
-  std::size_t size() const { return views_.size(); }
 
  private:
   std::uint64_t last_id_ = 0;

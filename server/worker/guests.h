@@ -1,6 +1,11 @@
 #pragma once
 
+#include <chrono>
+
 namespace metamer {
+
+/// How long a job or a view works on while others wait: about a frame's time.
+inline constexpr std::chrono::milliseconds turn_time{20};
 
 /// Those who want the processors or the GPU between two parts of a job's picture.
 class Guests {

@@ -27,9 +27,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// What a job renders before it lets waiting guests have theirs: about a frame's time.
-constexpr std::chrono::milliseconds turn{20};
-
 /// The film's memory, mapped for as long as this lives.
 class MappedFilm {
  public:
@@ -226,7 +223,7 @@ bool Job::render_tiles(const v1::RenderTiles& message, const Film& film) {
 void Job::render_some(const cpu::Tracer& tracer, const v1::RenderTiles& message, const Film& film,
                       std::atomic<int>& next) {
   const auto begun = Clock::now();
-  const auto is_over = [&] { return guests_.waiting() && Clock::now() - begun > turn; };
+  const auto is_over = [&] { return guests_.waiting() && Clock::now() - begun > turn_time; };
   tbb::parallel_for(0u, plan_.threads(), [&](unsigned) {
     cpu::Tracer::Workspace workspace = tracer.make_workspace();
     FilmSink film_sink(*method_, film, plan_.spp());

@@ -11,6 +11,7 @@
 #include "server/gl/context.h"
 #include "server/plan/plan.h"
 #include "server/scene/compile.h"
+#include "server/worker/guests.h"
 #include "server/worker/problems.h"
 
 namespace metamer {
@@ -22,15 +23,14 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 /// A picture that takes longer for one sample of each pixel is first shown coarsely.
 constexpr double coarse_above = 1.0 / 30;  // s
-const std::atomic<bool> never = false;
 /// On a side of the coarse picture.
 constexpr std::uint32_t coarse_pixels = 4;
-/// What a turn takes before others have theirs.
-constexpr std::chrono::milliseconds turn_time{20};
 /// Farther away than this, in sizes of the scene, f32 is no longer fine enough for it.
 constexpr double far_away = 16;
 /// A band with all around it is a frame of a worker's message.
 constexpr std::size_t band_bytes = 240u << 10;
+/// What compiles a view's scene is not cancelled.
+const std::atomic<bool> never = false;
 
 /// The settings of a view are those of a scene but for what makes no sense in one.
 v1::Settings view_settings(const v1::Settings& from, bool gl) {

@@ -10,10 +10,12 @@
 #include "server/film/pixel_sink.h"
 #include "server/gl/device.h"
 #include "server/gl/renderer.h"
+#include "server/worker/guests.h"
 
 namespace metamer {
 namespace {
 
+/// A draw ends by its time, and by nothing else.
 const std::atomic<bool> no_end = false;
 
 class CpuPicture : public ViewPicture {
@@ -97,7 +99,7 @@ class GpuPicture : public ViewPicture {
   /// light. A GPU draws all at once.
   std::uint32_t rows_at_once(std::uint32_t width) const {
     constexpr std::uint64_t bytes = 64u << 20;
-    constexpr double turn = 0.02;  // s
+    constexpr double turn = std::chrono::duration<double>(turn_time).count();
     const double fit =
         static_cast<double>(bytes / (std::uint64_t{width} * (scene_.lights.size() + 1) * 16));
     const double in_time = turn / (pixel_seconds_ * width);
