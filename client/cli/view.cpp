@@ -1,7 +1,6 @@
 #include "client/session/view.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/this_coro.hpp>
 #include <boost/asio/use_awaitable.hpp>
@@ -16,6 +15,7 @@
 #include "client/cli/method_text.h"
 #include "client/cli/output.h"
 #include "client/cli/scene_input.h"
+#include "common/color/error_statistics.h"
 
 namespace metamer::cli {
 namespace {
@@ -45,13 +45,6 @@ v1::Camera turned(const v1::Camera& camera, double degrees) {
   return result;
 }
 
-/// The value that so many of them, 0..1, do not exceed.
-double quantile(std::vector<double> values, double share) {
-  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + place, values.end());
-  return values[static_cast<std::size_t>(place)];
-}
-
 std::string milliseconds(double seconds) {
   char text[32];
   std::snprintf(text, sizeof text, "%9.1f", 1000 * seconds);
@@ -59,12 +52,13 @@ std::string milliseconds(double seconds) {
 }
 
 void report_row(const char* name, const std::vector<double>& seconds, Report& report) {
-  const double median = quantile(seconds, 0.5), most = quantile(seconds, 0.95);
-  const double longest = quantile(seconds, 1);
+  const ErrorStatistics times = error_statistics(seconds);
   char padded[32];
   std::snprintf(padded, sizeof padded, "%-14s", name);
-  report.line(padded + milliseconds(median) + milliseconds(most) + milliseconds(longest));
-  report.document()[name] = {{"median", median}, {"percentile_95", most}, {"longest", longest}};
+  report.line(padded + milliseconds(times.median) + milliseconds(times.percentile_95) +
+              milliseconds(times.maximum));
+  report.document()[name] = {
+      {"median", times.median}, {"percentile_95", times.percentile_95}, {"longest", times.maximum}};
 }
 
 /// "9 of 160×120, 1 of 640×480"
