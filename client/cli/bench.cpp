@@ -7,12 +7,9 @@
 namespace metamer::cli {
 namespace {
 
-void print_table(const std::vector<BenchCase>& cases, const std::vector<Measured>& measured,
-                 Report& report) {
+void print_rows(const std::vector<BenchCase>& cases, const std::vector<Measured>& measured,
+                Report& report) {
   std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(), "%-32s %10s %8s %8s", "case", "relative", "models",
-                "seconds");
-  report.line(text.data());
   Json& rows = report.document()["cases"];
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const double ratio = median(relative(measured[i], measured[0]));
@@ -26,9 +23,15 @@ void print_table(const std::vector<BenchCase>& cases, const std::vector<Measured
 }
 
 ExitCode bench(const BenchOptions& options, std::vector<BenchCase> cases) {
-  const std::string legend =
+  BenchTable table;
+  table.legend =
       "Relative to " + cases[0].name + "; models: the share of the rendering that evaluates them.";
-  return run_bench(options, std::move(cases), legend, print_table);
+  std::array<char, 160> head{};
+  std::snprintf(head.data(), head.size(), "%-32s %10s %8s %8s", "case", "relative", "models",
+                "seconds");
+  table.head = head.data();
+  table.print = print_rows;
+  return run_bench(options, {std::move(cases)}, table);
 }
 
 }  // namespace

@@ -163,7 +163,8 @@ std::vector<BenchCase> method_cases(bool multi_pass) {
   return cases;
 }
 
-BenchCase shading_case(const Entry& model, v1::Shading shading, int points, bool multi_pass) {
+BenchCase shading_case(const Entry& model, v1::Shading shading, std::uint32_t points,
+                       bool multi_pass) {
   static const std::string ply = ball_as_ply(16);
   BenchCase one = case_of(model);
   Upload mesh;

@@ -25,7 +25,7 @@ std::vector<BenchCase> method_cases(bool multi_pass);
 
 /// The same scene of meshes by one method: `points` wavelengths, 0: rgb. With a model and a kind of
 /// shading each.
-BenchCase shading_case(const models::Entry& model, v1::Shading shading, int points,
+BenchCase shading_case(const models::Entry& model, v1::Shading shading, std::uint32_t points,
                        bool multi_pass);
 
 /// What such a scene is, in words.

@@ -37,15 +37,26 @@ asio::awaitable<Answer<v1::Timing>> time_scene(Session& session, const BenchCase
   co_return last.finished().timing();
 }
 
+/// Compiles what drivers compile when it is first run, and fills caches.
+asio::awaitable<Answer<void>> warm_up(Session& session, const std::vector<BenchCase>& cases) {
+  for (BenchCase one : cases) {
+    one.scene.mutable_settings()->set_spp(1);
+    const Answer<v1::Timing> timing = co_await time_scene(session, one);
+    if (!timing) co_return tl::unexpected<SessionError>(timing.error());
+  }
+  co_return Answer<void>();
+}
+
 asio::awaitable<Answer<std::vector<Measured>>> measure(Session& session,
                                                        const std::vector<BenchCase>& cases,
                                                        std::uint32_t rounds) {
+  const Answer<void> warm = co_await warm_up(session, cases);
+  if (!warm) co_return tl::unexpected<SessionError>(warm.error());
   std::vector<Measured> measured(cases.size());
-  for (std::uint32_t round = 0; round <= rounds; ++round) {
+  for (std::uint32_t round = 0; round < rounds; ++round) {
     for (std::size_t i = 0; i < cases.size(); ++i) {
       const Answer<v1::Timing> timing = co_await time_scene(session, cases[i]);
       if (!timing) co_return tl::unexpected<SessionError>(timing.error());
-      if (round == 0) continue;
       measured[i].seconds.push_back(timing->render());
       measured[i].models.push_back(timing->models());
     }
@@ -53,21 +64,19 @@ asio::awaitable<Answer<std::vector<Measured>>> measure(Session& session,
   co_return measured;
 }
 
-/// The cases with the options in place of their settings. Empty: they make no sense, and it is
-/// said.
-std::vector<BenchCase> cases_with(const Overrides& overrides, std::vector<BenchCase> cases,
-                                  Report& report) {
+/// The options in place of the cases' settings. False: they make no sense, and it is said.
+bool apply_to(std::vector<BenchCase>& cases, const Overrides& overrides, Report& report) {
   for (BenchCase& one : cases) {
     const auto replaced = apply(overrides, one.scene);
     if (!replaced) {
       report.problem(replaced.error(), {});
-      return {};
+      return false;
     }
     const std::vector<Problem> problems = validate_scene(one.scene);
     for (const Problem& wrong : problems) report.problem(wrong, {});
-    if (!problems.empty()) return {};
+    if (!problems.empty()) return false;
   }
-  return cases;
+  return true;
 }
 
 }  // namespace
@@ -85,17 +94,21 @@ std::vector<double> relative(const Measured& one, const Measured& base) {
   return ratios;
 }
 
-ExitCode run_bench(const BenchOptions& options, std::vector<BenchCase> all,
-                   const std::string& legend, const PrintBench& print) {
+ExitCode run_bench(const BenchOptions& options, std::vector<std::vector<BenchCase>> groups,
+                   const BenchTable& table) {
   Report report(options.common.json);
-  const std::vector<BenchCase> cases = cases_with(options.overrides, std::move(all), report);
-  if (cases.empty()) return report.finish(ExitCode::bad_input);
+  for (std::vector<BenchCase>& cases : groups)
+    if (!apply_to(cases, options.overrides, report)) return report.finish(ExitCode::bad_input);
   const auto run = [&](Session& session, Interrupts&) -> asio::awaitable<ExitCode> {
-    const Answer<std::vector<Measured>> measured = co_await measure(session, cases, options.rounds);
-    if (!measured) co_return report.session_error(measured.error());
-    report.line(bench_scene_text(cases[0].scene) + ", " + std::to_string(options.rounds) +
-                (options.rounds == 1 ? " round" : " rounds") + "; medians. " + legend);
-    print(cases, *measured, report);
+    report.line(bench_scene_text(groups[0][0].scene) + ", " + std::to_string(options.rounds) +
+                (options.rounds == 1 ? " round" : " rounds") + "; medians. " + table.legend);
+    report.line(table.head);
+    for (const std::vector<BenchCase>& cases : groups) {
+      const Answer<std::vector<Measured>> measured =
+          co_await measure(session, cases, options.rounds);
+      if (!measured) co_return report.session_error(measured.error());
+      table.print(cases, *measured, report);
+    }
     co_return ExitCode::done;
   };
   return report.finish(with_any_server(options.common, report, run));

@@ -23,13 +23,18 @@ double median(std::vector<double> values);
 /// does then slows both.
 std::vector<double> relative(const Measured& one, const Measured& base);
 
-/// Prints what was measured of each case.
-using PrintBench = std::function<void(const std::vector<BenchCase>& cases,
-                                      const std::vector<Measured>& measured, Report& report)>;
+/// The table of a benchmark.
+struct BenchTable {
+  std::string legend;
+  std::string head;
+  /// Prints a group's lines, and keeps them for --json.
+  std::function<void(const std::vector<BenchCase>&, const std::vector<Measured>&, Report&)> print;
+};
 
-/// Renders all cases, with the options in place of their settings, in rounds that interleave them,
-/// after one that warms the worker up; prints what the scene is, the legend and the table.
-ExitCode run_bench(const BenchOptions& options, std::vector<BenchCase> cases,
-                   const std::string& legend, const PrintBench& print);
+/// Renders all cases, with the options in place of their settings, group by group, and prints what
+/// the scene is, the legend and the table, each group as soon as it is measured. The rounds of a
+/// group interleave its cases, after one that warms the worker up by one sample a pixel.
+ExitCode run_bench(const BenchOptions& options, std::vector<std::vector<BenchCase>> groups,
+                   const BenchTable& table);
 
 }  // namespace metamer::cli

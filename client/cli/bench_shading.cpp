@@ -1,6 +1,6 @@
 // Table 4.5-2 of the source, for every model: what point sampling costs per vertex and per pixel.
 
-#include <array>
+#include <algorithm>
 #include <cstdio>
 
 #include "client/cli/bench_run.h"
@@ -9,78 +9,89 @@
 namespace metamer::cli {
 namespace {
 
-constexpr std::array counts = {7, 16, 61, 301};  ///< Of wavelengths.
-
-/// A line of the table: rgb, then each count in one form or two.
-struct Row {
-  const models::Entry* model;
-  v1::Shading shading;
-};
-
-const char* where(v1::Shading shading) { return shading == v1::GOURAUD ? "vertex" : "pixel"; }
-
-std::vector<Row> all_rows() {
-  std::vector<Row> rows;
-  for (const models::Entry& model : models::registry(models::Kind::model))
-    for (const v1::Shading shading : {v1::GOURAUD, v1::PHONG}) rows.push_back({&model, shading});
-  return rows;
-}
-
-/// The cases of all rows, one row after the other.
-std::vector<BenchCase> all_cases(bool multi_pass) {
-  std::vector<BenchCase> cases;
-  for (const Row& row : all_rows()) {
-    cases.push_back(shading_case(*row.model, row.shading, 0, false));
-    for (const bool passes : {false, true})
-      for (const int count : counts)
-        if (multi_pass || !passes)
-          cases.push_back(shading_case(*row.model, row.shading, count, passes));
+/// What is measured: by rgb first, then by each number of wavelengths in one form or two.
+class ShadingTable {
+ public:
+  explicit ShadingTable(const BenchShadingOptions& options)
+      : models_(options.models), counts_(options.counts) {
+    if (options.bench.overrides.backend == "gl") forms_ = {false, true};
   }
-  return cases;
-}
 
-void print_shading(const std::vector<BenchCase>&, const std::vector<Measured>& measured,
-                   Report& report) {
-  const std::vector<Row> rows = all_rows();
-  const std::size_t columns = measured.size() / rows.size();
-  std::string head = "model            per         rgb";
-  for (std::size_t column = 1; column < columns; ++column) {
-    char text[32];
-    std::snprintf(text, sizeof text, " %7d%c", counts[(column - 1) % counts.size()],
-                  column > counts.size() ? '*' : ' ');
-    head += text;
+  /// A line of the table each.
+  std::vector<std::vector<BenchCase>> groups() const {
+    std::vector<std::vector<BenchCase>> groups;
+    for (const models::Entry& model : models::registry(models::Kind::model)) {
+      if (!wanted(model)) continue;
+      for (const v1::Shading shading : {v1::GOURAUD, v1::PHONG})
+        groups.push_back(line_of(model, shading));
+    }
+    return groups;
   }
-  report.line(head);
-  Json& document = report.document()["rows"] = Json::array();
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Measured* const row = &measured[i * columns];
-    char text[64];
-    std::snprintf(text, sizeof text, "%-16s %-6s %6.1f ms", rows[i].model->name,
-                  where(rows[i].shading), 1000 * median(row[0].seconds));
-    std::string line = text;
-    Json one = {{"model", rows[i].model->name},
-                {"per", where(rows[i].shading)},
-                {"rgb", median(row[0].seconds)},
+
+  std::string head() const {
+    std::string head = "model            per         rgb";
+    for (const bool multi_pass : forms_)
+      for (const std::uint32_t count : counts_) {
+        char text[32];
+        std::snprintf(text, sizeof text, " %7u%c", count, multi_pass ? '*' : ' ');
+        head += text;
+      }
+    return head;
+  }
+
+  void print(const std::vector<BenchCase>& cases, const std::vector<Measured>& measured,
+             Report& report) const {
+    const bool vertex = cases[0].scene.settings().shading() == v1::GOURAUD;
+    const double rgb = median(measured[0].seconds);
+    Json row = {{"model", cases[0].name},
+                {"per", vertex ? "vertex" : "pixel"},
+                {"rgb", rgb},
                 {"point", Json::object()},
                 {"multi_pass", Json::object()}};
-    for (std::size_t column = 1; column < columns; ++column) {
-      const double ratio = median(relative(row[column], row[0]));
-      std::snprintf(text, sizeof text, " %7.2f ", ratio);
-      line += text;
-      one[column > counts.size() ? "multi_pass" : "point"]
-         [std::to_string(counts[(column - 1) % counts.size()])] = ratio;
-    }
+    char text[64];
+    std::snprintf(text, sizeof text, "%-16s %-6s %6.1f ms", cases[0].name.c_str(),
+                  vertex ? "vertex" : "pixel", 1000 * rgb);
+    std::string line = text;
+    std::size_t column = 1;
+    for (const bool multi_pass : forms_)
+      for (const std::uint32_t count : counts_) {
+        const double ratio = median(relative(measured[column++], measured[0]));
+        std::snprintf(text, sizeof text, " %7.2f ", ratio);
+        line += text;
+        row[multi_pass ? "multi_pass" : "point"][std::to_string(count)] = ratio;
+      }
     report.line(line);
-    document.push_back(std::move(one));
+    report.document()["rows"].push_back(std::move(row));
   }
-}
+
+ private:
+  bool wanted(const models::Entry& model) const {
+    return models_.empty() ||
+           std::find(models_.begin(), models_.end(), model.name) != models_.end();
+  }
+
+  std::vector<BenchCase> line_of(const models::Entry& model, v1::Shading shading) const {
+    std::vector<BenchCase> cases = {shading_case(model, shading, 0, false)};
+    for (const bool multi_pass : forms_)
+      for (const std::uint32_t count : counts_)
+        cases.push_back(shading_case(model, shading, count, multi_pass));
+    return cases;
+  }
+
+  const std::vector<std::string>& models_;  ///< Empty: all.
+  const std::vector<std::uint32_t>& counts_;
+  std::vector<bool> forms_ = {false};  ///< Multi-pass or not.
+};
 
 }  // namespace
 
-ExitCode bench_shading(const BenchOptions& options) {
-  return run_bench(options, all_cases(options.overrides.backend == "gl"),
-                   "The time of so many wavelengths over that of rgb; *: four a pass.",
-                   print_shading);
+ExitCode bench_shading(const BenchShadingOptions& options) {
+  const ShadingTable table(options);
+  return run_bench(options.bench, table.groups(),
+                   {"The time of so many wavelengths over that of rgb; *: four a pass.",
+                    table.head(), [&](const auto& cases, const auto& measured, Report& report) {
+                      table.print(cases, measured, report);
+                    }});
 }
 
 }  // namespace metamer::cli

@@ -33,7 +33,7 @@ ExitCode find_metamer(const MetamerOptions& options);
 
 ExitCode bench_models(const BenchOptions& options);
 ExitCode bench_methods(const BenchOptions& options);
-ExitCode bench_shading(const BenchOptions& options);
+ExitCode bench_shading(const BenchShadingOptions& options);
 ExitCode view(const ViewOptions& options);
 ExitCode tradeoff(const TradeoffOptions& options);
 ExitCode compare(const CompareOptions& options);

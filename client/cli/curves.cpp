@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "common/models/reference.h"
 
@@ -10,8 +9,6 @@ namespace metamer::cli {
 namespace {
 
 constexpr double step = 0.5;  ///< Degrees between the samples of a curve.
-
-double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 /// The angles in the plane of incidence, the surface's tangent in it or across it.
 models::Angles<double> angles_at(double incidence, double viewer, bool tangent_across) {

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace metamer::cli {
+
+inline double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 /// A function of an angle, as it is drawn and as it stands in the .csv.
 struct Curve {

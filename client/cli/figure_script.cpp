@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <sstream>
 
 #include "client/cli/figure.h"
@@ -30,8 +29,6 @@ std::string text(double value) {
 }
 
 std::string color_of(std::size_t curve) { return gnuplot_quote(colors[curve % colors.size()]); }
-
-double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 std::string point(double degrees, double radius) {
   return text(radius * std::sin(radians(degrees))) + "," +

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iostream>
 
+#include "common/models/registry.h"
+
 namespace metamer::cli {
 namespace {
 
@@ -23,6 +25,7 @@ struct AllOptions {
   PlotOptions plot;
   SpectraCommands spectra;
   BenchOptions bench;
+  BenchShadingOptions bench_shading;
   TradeoffOptions tradeoff;
   ViewOptions view;
   CompareOptions compare;
@@ -154,16 +157,30 @@ void add_bench_commands(CLI::App& app, AllOptions& all, Action& chosen) {
   CLI::App& methods =
       add_command(*bench, "methods", "the time of one scene by each method, next to rgb's", chosen,
                   [&] { return bench_methods(all.bench); });
+  BenchShadingOptions& options = all.bench_shading;
   CLI::App& shading = add_command(
       *bench, "shading", "point sampling next to rgb, with each model per vertex and per pixel",
-      chosen, [&] { return bench_shading(all.bench); });
-  for (CLI::App* command : {&models, &methods, &shading}) {
-    command->add_option("--rounds", all.bench.rounds, "renderings of each")
+      chosen, [&options] { return bench_shading(options); });
+  std::vector<std::string> names;
+  for (const models::Entry& model : models::registry(models::Kind::model))
+    names.emplace_back(model.name);
+  shading.add_option("--models", options.models, "these alone")
+      ->delimiter(',')
+      ->check(CLI::IsMember(names));
+  shading.add_option("--counts", options.counts, "of wavelengths")
+      ->delimiter(',')
+      ->check(CLI::Range(2, 4001))
+      ->capture_default_str();
+  const auto add_rounds = [](CLI::App& command, BenchOptions& bench) {
+    command.add_option("--rounds", bench.rounds, "renderings of each")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
-    add_overrides(*command, all.bench.overrides);
-    add_common(*command, all.bench.common);
-  }
+    add_overrides(command, bench.overrides);
+    add_common(command, bench.common);
+  };
+  add_rounds(models, all.bench);
+  add_rounds(methods, all.bench);
+  add_rounds(shading, options.bench);
 }
 
 /// Also where the words make no sense otherwise.

@@ -199,6 +199,12 @@ struct BenchOptions {
   std::uint32_t rounds = 5;
 };
 
+struct BenchShadingOptions {
+  BenchOptions bench;
+  std::vector<std::string> models;                    ///< Empty: all.
+  std::vector<std::uint32_t> counts{7, 16, 61, 301};  ///< Of wavelengths, 2 or more.
+};
+
 struct TradeoffOptions {
   CommonOptions common;
   std::string scene;

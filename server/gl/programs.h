@@ -5,27 +5,19 @@
 #include <string>
 
 #include "server/gl/program.h"
-#include "server/scene/render_scene.h"
+#include "server/gl/program_sources.h"
 
 namespace metamer::gl {
 
-/// What a renderer runs.
+/// What a renderer runs: program_sources.h says what each is for.
 struct Programs {
-  Program triangles, spheres;                     ///< Names of what is seen.
-  Program shade, finish;                          ///< For each light.
-  Program places;                                 ///< For each light, where it is wanted.
-  Program pass_triangles, pass_spheres, combine;  ///< Of MultiPass, where it is wanted.
+  Program triangles, spheres, shade, finish, places, pass_triangles, pass_spheres, combine;
 };
 
 /// Compiled programs, for all jobs of a context. Compiling takes longer than many a picture, and
 /// what a program depends on is only which models a scene uses.
 class ProgramCache {
  public:
-  /// What not every picture needs.
-  struct Wanted {
-    bool places = false;  ///< A shading interpolates over triangles.
-    bool passes = false;
-  };
   /// For the scene's models and no others. Errors: the compiler's words.
   Result<std::shared_ptr<const Programs>> get(const RenderScene& scene, Wanted wanted);
 

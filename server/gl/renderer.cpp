@@ -168,6 +168,7 @@ void Renderer::evaluate_places(const RegionView& view) {
       program.set("light", light);
       dispatch_over({0, 0, 8 * ((geometry_.triangle_count() + 63) / 64), 8});
     }
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // MultiPass reads them as it draws
   });
 }
 
