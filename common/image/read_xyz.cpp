@@ -7,7 +7,7 @@
 
 #include "common/color/srgb.h"
 #include "common/color/xyz.h"
-#include "common/image/oiio.h"
+#include "common/image/picture_file.h"
 #include "common/image/spectral_exr.h"
 
 namespace metamer {
@@ -154,7 +154,7 @@ Result<XyzPicture> from_spectra(const SpectralImage& spectra, const Viewing& vie
 }
 
 Result<XyzPicture> read(const fs::path& file, const Viewing& viewing) {
-  if (oiio::format_of(file) == "exr") {
+  if (format_of(file) == "exr") {
     const auto spectra = read_spectral_exr(file);
     if (!spectra) return tl::unexpected<Problem>(spectra.error());
     if (*spectra) return from_spectra(**spectra, viewing);
@@ -163,14 +163,14 @@ Result<XyzPicture> read(const fs::path& file, const Viewing& viewing) {
   if (!header) return tl::unexpected<Problem>(header.error());
   const auto image = read_image(file);
   if (!image) return tl::unexpected<Problem>(image.error());
-  return oiio::format_of(file) == "png" ? from_png(*image, *header) : from_exr(*image, *header);
+  return format_of(file) == "png" ? from_png(*image, *header) : from_exr(*image, *header);
 }
 
 }  // namespace
 
 Result<XyzPicture> read_xyz(const fs::path& file, const Viewing& viewing) {
   Result<XyzPicture> result = read(file, viewing);
-  if (!result) return oiio::file_problem(file, result.error().message);
+  if (!result) return file_problem(file, result.error().message);
   return result;
 }
 

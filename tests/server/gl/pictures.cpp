@@ -27,15 +27,6 @@ std::string contents(const std::string& file) {
   return text.str();
 }
 
-RenderScene compile(const SceneOnDisk& scene) {
-  const AssetReader assets = [&](const std::string& name) -> Result<std::string> {
-    return contents(scene.folder + name);
-  };
-  auto compiled = compile_scene(scene.message, assets, never);
-  if (!compiled) throw std::runtime_error(compiled.error().front().message);
-  return to_camera_space(std::move(*compiled));
-}
-
 /// What a ray sees: its object, the facet where each has a colour of its own, and, bit by bit, the
 /// lights that reach it.
 struct Sight {
@@ -84,6 +75,15 @@ SceneOnDisk read_deployed(const std::string& path) {
     throw std::runtime_error("can't parse " + file);
   scene.folder = file.substr(0, file.rfind('/') + 1);
   return scene;
+}
+
+RenderScene compile(const SceneOnDisk& scene) {
+  const AssetReader assets = [&](const std::string& name) -> Result<std::string> {
+    return contents(scene.folder + name);
+  };
+  auto compiled = compile_scene(scene.message, assets, never);
+  if (!compiled) throw std::runtime_error(compiled.error().front().message);
+  return to_camera_space(std::move(*compiled));
 }
 
 Pictures::Pictures(const SceneOnDisk& scene)

@@ -20,6 +20,8 @@ struct SceneOnDisk {
   std::string folder;
 };
 SceneOnDisk read_deployed(const std::string& path);
+/// In camera space.
+RenderScene compile(const SceneOnDisk& scene);
 
 /// One scene, drawn by both backends without mirrors.
 class Pictures {

@@ -46,8 +46,8 @@ TEST(ProgramSources, AreRefusedWhereTheyAreWrong) {
 }
 
 TEST(ProgramSources, HoldWhatIsWantedAlone) {
-  const Pictures gallery(read_deployed("gallery/gallery.txtpb"));
-  const ProgramSources sources = program_sources(gallery.scene(), {});
+  const ProgramSources sources =
+      program_sources(compile(read_deployed("gallery/gallery.txtpb")), {});
   EXPECT_EQ(sources.places, "");
   EXPECT_EQ(sources.combine, "");
   EXPECT_EQ(sources.pass_triangles.fragment, "");

@@ -8,10 +8,10 @@
 #include "common/color/eight_bit.h"
 #include "common/image/icc.h"
 #include "common/image/image.h"
-#include "common/image/oiio.h"
+#include "common/image/oiio/shared.h"
 #include "common/image/whole_file.h"
 
-namespace metamer {
+namespace metamer::oiio {
 namespace {
 
 using Bytes = std::vector<unsigned char>;
@@ -82,7 +82,7 @@ Result<Bytes> encode_file(const Image& image, const std::string& format, bool xy
   Bytes bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   const auto output = OIIO::ImageOutput::create(format);
-  if (!output) return problem("can't write " + format + ": " + oiio::first_line(OIIO::geterror()));
+  if (!output) return problem("can't write " + format + ": " + first_line(OIIO::geterror()));
   output->threads(1);
   OIIO::ImageSpec spec = make_spec(image, png, xyz, developing, metadata);
   OIIO::Filesystem::IOProxy* proxy = &memory;
@@ -92,8 +92,8 @@ Result<Bytes> encode_file(const Image& image, const std::string& format, bool xy
   // Convert and encode a few rows at a time.
   const Matrix3 matrix = multiply(developing.space.from_xyz, developing.adaptation);
   const EightBit codes(developing.linear ? Transfer{} : developing.space.transfer);
-  for (int y = 0; good && y < image.height; y += oiio::rows_at_a_time) {
-    const int end = std::min(image.height, y + oiio::rows_at_a_time);
+  for (int y = 0; good && y < image.height; y += rows_at_a_time) {
+    const int end = std::min(image.height, y + rows_at_a_time);
     if (xyz) {
       good = output->write_scanlines(y, end, 0, OIIO::TypeDesc::FLOAT, image.at(0, y));
       continue;
@@ -109,7 +109,7 @@ Result<Bytes> encode_file(const Image& image, const std::string& format, bool xy
     }
   }
   good = good && output->close();
-  if (!good) return problem("can't encode the picture: " + oiio::first_line(output->geterror()));
+  if (!good) return problem("can't encode the picture: " + first_line(output->geterror()));
   return bytes;
 }
 
@@ -119,31 +119,28 @@ Result<GamutReport> write_image(const Image& xyz_image, const std::filesystem::p
                                 const std::map<std::string, std::string>& metadata,
                                 const Developing& developing) {
   assert(xyz_image.channels.size() == 3);
-  oiio::stay_in_this_thread();
-  const std::string format = oiio::format_of(file);
+  const std::string format = format_of(file);
   if (format.empty()) {
-    return oiio::file_problem(
+    return file_problem(
         file, "pictures are written as .png or .exr, not as " + quoted(file.extension().string()));
   }
-  if (xyz && format == "png") return oiio::file_problem(file, "XYZ can only be written as .exr");
+  if (xyz && format == "png") return file_problem(file, "XYZ can only be written as .exr");
 
   GamutReport gamut;
   const auto done =
       encode_file(xyz_image, format, xyz, metadata, developing, gamut)
           .and_then([&](const Bytes& bytes) { return write_whole_file(file, bytes); });
-  if (!done) return oiio::file_problem(file, done.error().message);
+  if (!done) return file_problem(file, done.error().message);
   return gamut;
 }
 
 Result<void> write_rgb(int width, int height, std::span<const std::uint8_t> rgb,
                        const std::filesystem::path& file, const Developing& developing) {
-  oiio::stay_in_this_thread();
-  if (oiio::format_of(file) != "png")
-    return oiio::file_problem(file, "8-bit colours are written as .png");
+  if (format_of(file) != "png") return file_problem(file, "8-bit colours are written as .png");
   Bytes bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   const auto output = OIIO::ImageOutput::create("png");
-  if (!output) return problem("can't write png: " + oiio::first_line(OIIO::geterror()));
+  if (!output) return problem("can't write png: " + first_line(OIIO::geterror()));
   output->threads(1);
   OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::UINT8);
   add_png_space(developing, spec);
@@ -151,10 +148,10 @@ Result<void> write_rgb(int width, int height, std::span<const std::uint8_t> rgb,
   spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
   const bool good = output->open("memory.png", spec) &&
                     output->write_image(OIIO::TypeDesc::UINT8, rgb.data()) && output->close();
-  if (!good) return oiio::file_problem(file, oiio::first_line(output->geterror()));
+  if (!good) return file_problem(file, first_line(output->geterror()));
   const auto done = write_whole_file(file, bytes);
-  if (!done) return oiio::file_problem(file, done.error().message);
+  if (!done) return file_problem(file, done.error().message);
   return {};
 }
 
-}  // namespace metamer
+}  // namespace metamer::oiio

@@ -7,11 +7,11 @@
 #include <cassert>
 
 #include "common/color/srgb.h"
-#include "common/image/oiio.h"
+#include "common/image/oiio/shared.h"
 #include "common/image/whole_file.h"
 #include "common/spectral/wavelengths.h"
 
-namespace metamer {
+namespace metamer::oiio {
 namespace {
 
 namespace fs = std::filesystem;
@@ -66,19 +66,19 @@ Result<std::vector<unsigned char>> encode(const SpectralImage& image, const Imag
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   const auto output = OIIO::ImageOutput::create("exr");
-  if (!output) return problem("can't write exr: " + oiio::first_line(OIIO::geterror()));
+  if (!output) return problem("can't write exr: " + first_line(OIIO::geterror()));
   output->threads(1);
   OIIO::ImageSpec spec = described;
   OIIO::Filesystem::IOProxy* proxy = &memory;
   spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
   bool good = output->open("memory.exr", spec);
-  for (int y = 0; good && y < image.height; y += oiio::rows_at_a_time) {
-    const int end = std::min(image.height, y + oiio::rows_at_a_time);
+  for (int y = 0; good && y < image.height; y += rows_at_a_time) {
+    const int end = std::min(image.height, y + rows_at_a_time);
     const std::vector<float> rows = interleaved(image, preview, y, end);
     good = output->write_scanlines(y, end, 0, OIIO::TypeDesc::FLOAT, rows.data());
   }
   good = good && output->close();
-  if (!good) return problem("can't encode the picture: " + oiio::first_line(output->geterror()));
+  if (!good) return problem("can't encode the picture: " + first_line(output->geterror()));
   return bytes;
 }
 
@@ -141,9 +141,8 @@ Result<void> write_spectral_exr(const SpectralImage& image, const Image& preview
                                 const std::map<std::string, std::string>& metadata) {
   assert(image.width == preview.width && image.height == preview.height &&
          preview.channels.size() == 3);
-  oiio::stay_in_this_thread();
-  if (oiio::format_of(file) != "exr")
-    return oiio::file_problem(
+  if (format_of(file) != "exr")
+    return file_problem(
         file, "spectral pictures are written as .exr, not as " + quoted(file.extension().string()));
   const auto done =
       channel_names(image)
@@ -153,7 +152,7 @@ Result<void> write_spectral_exr(const SpectralImage& image, const Image& preview
           .and_then([&](const std::vector<unsigned char>& bytes) {
             return write_whole_file(file, bytes);
           });
-  if (!done) return oiio::file_problem(file, done.error().message);
+  if (!done) return file_problem(file, done.error().message);
   return {};
 }
 
@@ -162,11 +161,11 @@ Result<std::optional<SpectralImage>> read_spectral_exr(const fs::path& file) {
   const Result<ImageHeader> header = read_header(file);
   if (!header) return tl::unexpected<Problem>(header.error());
   const Result<Bands> found = find_bands(header->channels);
-  if (!found) return oiio::file_problem(file, found.error().message);
+  if (!found) return file_problem(file, found.error().message);
   if (found->bands.empty()) return std::nullopt;
   Result<Image> image = read_image(file);
   if (!image) return tl::unexpected<Problem>(image.error());
-  if (image->channels != header->channels) return oiio::file_problem(file, "the file has changed");
+  if (image->channels != header->channels) return file_problem(file, "the file has changed");
 
   SpectralImage result;
   result.width = image->width;
@@ -190,4 +189,4 @@ Result<std::optional<SpectralImage>> read_spectral_exr(const fs::path& file) {
   return result;
 }
 
-}  // namespace metamer
+}  // namespace metamer::oiio

@@ -1,19 +1,8 @@
-#include "common/image/oiio.h"
-
-#include <OpenImageIO/imageio.h>
+#include "common/image/picture_file.h"
 
 #include <algorithm>
-#include <mutex>
 
-namespace metamer::oiio {
-
-void stay_in_this_thread() {
-  static std::once_flag once;
-  std::call_once(once, [] {
-    OIIO::attribute("threads", 1);
-    OIIO::attribute("exr_threads", -1);
-  });
-}
+namespace metamer {
 
 std::string format_of(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
@@ -30,9 +19,4 @@ tl::unexpected<Problem> file_problem(const std::filesystem::path& file, std::str
       {.field = {}, .file = file.string(), .message = std::move(message)});
 }
 
-std::string first_line(const std::string& text) {
-  const std::string line = text.substr(0, text.find('\n'));
-  return line.empty() ? "no reason given" : line;
-}
-
-}  // namespace metamer::oiio
+}  // namespace metamer

@@ -10,9 +10,9 @@
 
 #include "common/color/srgb.h"
 #include "common/image/compare.h"
-#include "common/image/oiio.h"
+#include "common/image/oiio/shared.h"
 
-namespace metamer {
+namespace metamer::oiio {
 namespace {
 
 using Color = std::array<float, 3>;  ///< Encoded sRGB.
@@ -143,7 +143,6 @@ bool draw_legend(Canvas& canvas, int width, int y, double top, const std::string
 
 Result<Image> false_color(const Difference& difference, Metric metric, double top,
                           std::string_view title) {
-  oiio::stay_in_this_thread();
   if (!(top > 0)) top = round_up(difference.statistics.percentile_99);
   const int width = std::max(difference.width, least_width);
   Canvas canvas(width, difference.height + legend_height);
@@ -159,4 +158,4 @@ Result<Image> false_color(const Difference& difference, Metric metric, double to
   return std::move(canvas).decoded();
 }
 
-}  // namespace metamer
+}  // namespace metamer::oiio
