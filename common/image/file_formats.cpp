@@ -8,7 +8,10 @@ namespace metamer {
 namespace {
 
 Result<const FileFormats*> load() {
-  void* const module = dlopen("metamer-file-formats.so", RTLD_NOW | RTLD_LOCAL);
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  const auto file = program.parent_path() / "metamer-file-formats.so";
+  void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   const auto functions =
       module
           ? reinterpret_cast<decltype(&metamer_file_formats)>(dlsym(module, "metamer_file_formats"))

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 
 namespace metamer {
 
@@ -14,6 +15,8 @@ class Guests {
   virtual bool waiting() const = 0;  ///< From any thread.
   /// Serves each of them once, in the lane's thread.
   virtual void serve() = 0;
+  /// Serves them while `work` is done on a thread of its own, and returns when it is.
+  virtual void serve_while(const std::function<void()>& work) = 0;
 };
 
 }  // namespace metamer

@@ -76,7 +76,10 @@ void Job::compile(const v1::CompileJob& message) {
   ++work_;
 
   // Compile it: names, spectra and meshes become flat arrays.
-  auto compiled = compile_scene(scene, stored_assets(message.asset(), options_.store), stopped_);
+  tl::expected<RenderScene, std::vector<Problem>> compiled;
+  guests_.serve_while([&] {
+    compiled = compile_scene(scene, stored_assets(message.asset(), options_.store), stopped_);
+  });
   ++work_;
   if (stopped_) return send_stopped();
   if (!compiled) return send_problems(compiled.error());
@@ -177,7 +180,10 @@ void Job::render(const v1::RenderTiles& message) {
 bool Job::build_geometry() {
   if (geometry_) return true;
   const auto start = Clock::now();
-  geometry_ = cpu::EmbreeScene::build(*scene_, stopped_);
+  guests_.serve_while([&] {
+    tbb::task_arena arena(static_cast<int>(options_.threads));
+    arena.execute([&] { geometry_ = cpu::EmbreeScene::build(*scene_, stopped_); });
+  });
   timing_.set_acceleration(seconds_since(start));
   ++work_;
   return geometry_.has_value();

@@ -89,7 +89,7 @@ void Lane::run() {
   }
   std::unique_lock lock(mutex_);
   for (;;) {
-    busy_ = false;
+    busy_ = views_.importing();
     changed_.wait(lock, [this] { return leaving_ || waiting_ || views_.waiting(); });
     if (leaving_) return;
     busy_ = true;

@@ -11,9 +11,9 @@
 #include "server/film/develop.h"
 #include "server/film/sample_pattern.h"
 #include "server/methods/method.h"
-#include "server/worker/assets.h"
 #include "server/worker/job.h"
 #include "server/worker/view_picture.h"
+#include "server/worker/view_scene.h"
 
 namespace metamer {
 
@@ -22,36 +22,43 @@ namespace metamer {
 /// and geometry only where objects would look different. Belongs to the lane's thread.
 class View {
  public:
-  using Problems = std::vector<Problem>;
+  using Problems = ViewScene::Problems;
 
-  View(std::uint64_t id, const WorkerOptions& options, Link& link, Work& work);
+  /// `wake` is called from any thread when it has something to do that nobody sent.
+  View(std::uint64_t id, const WorkerOptions& options, Link& link, Work& work,
+       std::function<void()> wake);
   ~View();
 
-  /// Sends Updated, or Closed and why: then false.
+  /// Begins to import the scene, or sends Closed and why: then false.
   bool open(const v1::OpenView& message);
   /// Keeps it for the next turn; none comes before the last one was answered.
   void update(const v1::UpdateView& message) { update_ = message; }
   void add_credit() { ++credits_; }
 
-  bool has_work() const { return update_ || has_frame(); }
-  /// Carries out the update, which sends Updated, or Refused and the view stays as it was. Then
-  /// draws at the next frame for about a frame's time, and sends it in bands once it is whole.
-  /// False: the view is lost, and Closed was sent.
+  /// Its scene is being imported, on a thread of its own: until then it has no work.
+  bool is_importing() const { return scene_.is_importing() && !scene_.is_imported(); }
+  /// The import is of no use to anybody.
+  void cancel_import() { scene_.cancel_import(); }
+  bool has_work() const {
+    return scene_.is_importing() ? scene_.is_imported() : update_ || has_frame();
+  }
+  /// Takes what was imported, or carries out the update; either sends Updated, or Refused and the
+  /// view stays as it was. Then draws at the next frame for about a frame's time, and sends it in
+  /// bands once it is whole. False: the view is lost, and Closed was sent.
   bool turn();
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  AssetNames opened(const AssetNames& names) const;
-  tl::expected<void, Problems> compile(const v1::Scene& scene, const AssetNames& names);
-  tl::expected<void, Problems> recompile(const v1::Scene& scene, const AssetNames& names);
   bool has_frame() const { return credits_ > 0 && drawn_ < pattern_.size(); }
   bool change(const v1::UpdateView& message);
-  bool prepare(Clock::time_point start);
+  bool adopt();
+  bool prepare();
+  Result<void> make_picture();
   void begin_anew();
   bool draw();
   void send_frame(std::uint32_t width, std::uint32_t height);
-  void send_updated(Clock::time_point start, bool planned);
+  void send_updated(bool planned);
   bool refuse(std::uint64_t revision, const Problems& problems);
   void send_closed(v1::Failed::Kind kind, const std::string& reason, const Problems& problems = {});
   v1::WorkerEnvelope event() const;
@@ -61,18 +68,15 @@ class View {
   Link& link_;
   Work& work_;
 
-  v1::Scene message_;    ///< As it now is, its settings complete.
-  AssetNames names_;     ///< Those of the opening first.
-  int opened_with_ = 0;  ///< So many.
-  CameraSpace space_;
-  std::string objects_key_;
-  std::unique_ptr<RenderScene> scene_;
+  ViewScene scene_;
   v1::Plan plan_;
-  std::unique_ptr<Method> method_;
+  std::unique_ptr<Method> method_;  ///< Null: not yet open.
   std::unique_ptr<ViewPicture> picture_;
   std::optional<Developer> developer_;
 
   std::uint64_t revision_ = 0;
+  std::uint64_t asked_revision_ = 0;  ///< Of the change that is being carried out,
+  Clock::time_point begun_;           ///< since then.
   unsigned credits_ = 0;
   std::optional<v1::UpdateView> update_;
   std::vector<SamplePoint> pattern_;  ///< In the order in which frames add them.

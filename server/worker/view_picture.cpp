@@ -116,14 +116,15 @@ class GpuPicture : public ViewPicture {
 
 }  // namespace
 
-Result<std::unique_ptr<ViewPicture>> ViewPicture::make(const RenderScene& scene,
-                                                       const std::string& key,
-                                                       const WorkerOptions& options) {
-  if (!options.gl)
-    return std::make_unique<CpuPicture>(scene, *cpu::EmbreeScene::build(scene, no_end));
-  auto geometry = options.gl->geometry(key, scene, no_end);
+std::unique_ptr<ViewPicture> cpu_picture(const RenderScene& scene, cpu::EmbreeScene geometry) {
+  return std::make_unique<CpuPicture>(scene, std::move(geometry));
+}
+
+Result<std::unique_ptr<ViewPicture>> gl_picture(const RenderScene& scene, const std::string& key,
+                                                gl::Device& device) {
+  auto geometry = device.geometry(key, scene, no_end);
   if (!geometry) return tl::unexpected(geometry.error());
-  return std::make_unique<GpuPicture>(scene, *options.gl, std::move(*geometry));
+  return std::make_unique<GpuPicture>(scene, device, std::move(*geometry));
 }
 
 }  // namespace metamer

@@ -17,11 +17,6 @@ class ViewPicture {
  public:
   virtual ~ViewPicture() = default;
 
-  /// Of a scene in camera space, which must outlive it. `key` as geometry_key has it. Errors: what
-  /// the GPU does not hold.
-  static Result<std::unique_ptr<ViewPicture>> make(const RenderScene& scene, const std::string& key,
-                                                   const WorkerOptions& options);
-
   /// Lights, materials, plan or method have changed; both must outlive the next change. Errors:
   /// what the GPU does not hold or compile.
   virtual Result<void> change(const v1::Plan& plan, const Method& method) = 0;
@@ -33,5 +28,11 @@ class ViewPicture {
   virtual Result<bool> draw(const Film& film, std::span<const SamplePoint> samples,
                             Clock::time_point until, std::uint32_t& next, Work& work) = 0;
 };
+
+/// Of a scene in camera space, which must outlive it.
+std::unique_ptr<ViewPicture> cpu_picture(const RenderScene& scene, cpu::EmbreeScene geometry);
+/// The same; `key` as geometry_key has it. Errors: what the GPU does not hold.
+Result<std::unique_ptr<ViewPicture>> gl_picture(const RenderScene& scene, const std::string& key,
+                                                gl::Device& device);
 
 }  // namespace metamer

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <condition_variable>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -24,18 +26,28 @@ class Views : public Guests {
   bool waiting() const override { return waiting_; }
   /// Carries out what has come, then gives each view its turn.
   void serve() override;
+  void serve_while(const std::function<void()>& work) override;
+
+  /// A view's scene is being imported.
+  bool importing() const { return importing_; }
 
  private:
   void carry_out(const v1::WorkerEnvelope& message);
+  void call();
 
   const WorkerOptions& options_;
   Link& link_;
   Work& work_;
   std::function<void()> wake_;
-  std::atomic<bool> waiting_ = false;
+  std::atomic<bool> waiting_ = false, importing_ = false;
   std::mutex mutex_;
+  std::condition_variable called_;
+  bool called_since_ = false;  ///< Since serve() began.
   std::vector<v1::WorkerEnvelope> messages_;
-  std::map<std::uint64_t, std::unique_ptr<View>> views_;  ///< Of the lane's thread.
+  // Of the lane's thread:
+  std::map<std::uint64_t, std::unique_ptr<View>> views_;
+  std::vector<std::unique_ptr<View>> closed_;  ///< Whose imports have not ended yet.
+  bool aside_ = false;                         ///< Work of the job is done meanwhile.
 };
 
 }  // namespace metamer

@@ -40,15 +40,16 @@ class Viewer {
 
   /// Null and the error where it can't be.
   std::unique_ptr<View> open(const v1::Scene& scene, v1::Backend backend = v1::CPU) {
-    Submission submission = make_submission(scene, {}, "view", false);
-    submission.request.set_backend(backend);
     std::unique_ptr<View> view;
-    run([&]() -> asio::awaitable<void> {
-      auto opened = co_await View::open(*session_, submission);
-      error_ = opened ? SessionError{} : opened.error();
-      if (opened) view = std::move(*opened);
-    });
+    run([&] { return open_into(scene, {}, backend, view); });
     return view;
+  }
+  /// With a mesh, while this client goes on; how it came out is in error().
+  void begin_open(const v1::Scene& scene, const Upload& mesh, v1::Backend backend,
+                  std::unique_ptr<View>& view, bool& ended) {
+    loop_.restart();
+    asio::co_spawn(loop_, open_into(scene, {mesh}, backend, view),
+                   [&](std::exception_ptr) { ended = true; });
   }
   void update(View& view, v1::UpdateView change, const std::vector<Upload>& files = {}) {
     run([&]() -> asio::awaitable<void> {
@@ -85,6 +86,21 @@ class Viewer {
   const SessionError& error() const { return error_; }
 
  private:
+  asio::awaitable<void> open_into(v1::Scene scene, std::vector<Upload> files, v1::Backend backend,
+                                  std::unique_ptr<View>& view) {
+    Submission submission = make_submission(scene, {}, "view", false);
+    submission.request.set_backend(backend);
+    for (Upload& file : files) {
+      v1::AssetName& asset = *submission.request.add_asset();
+      asset.set_name(file.name);
+      asset.set_sha256(std::string(to_bytes(file.sha256)));
+      submission.uploads.push_back(std::move(file));
+    }
+    auto opened = co_await View::open(*session_, submission);
+    error_ = opened ? SessionError{} : opened.error();
+    if (opened) view = std::move(*opened);
+  }
+
   void run(const std::function<asio::awaitable<void>()>& work) {
     loop_.restart();
     bool done = false;
@@ -323,6 +339,80 @@ TEST(View, AHeavyOneLeavesTheOthersTheirTurns) {
   ASSERT_TRUE(small);
   viewer.complete(*small, 0);
   viewer.close(*big);
+}
+
+/// A floor of so many squares a side.
+Upload floor_mesh(int side) {
+  std::string text =
+      "ply\nformat ascii 1.0\nelement vertex " + std::to_string((side + 1) * (side + 1)) +
+      "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+      std::to_string(side * side) + "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (int z = 0; z <= side; ++z)
+    for (int x = 0; x <= side; ++x) text += std::to_string(x) + " 0 " + std::to_string(-z) + "\n";
+  for (int z = 0; z < side; ++z)
+    for (int x = 0; x < side; ++x) {
+      const int at = z * (side + 1) + x;
+      text += "4 " + std::to_string(at) + " " + std::to_string(at + 1) + " " +
+              std::to_string(at + side + 2) + " " + std::to_string(at + side + 1) + "\n";
+    }
+  Upload mesh;
+  mesh.name = "floor.ply";
+  mesh.size = text.size();
+  mesh.sha256 = sha256(text);
+  mesh.bytes = std::move(text);
+  return mesh;
+}
+
+TEST(View, OthersGetFramesWhileASceneIsImported) {
+  const Daemon daemon;
+  const Upload mesh = floor_mesh(400);
+  v1::Scene heavy = direct_scene();
+  heavy.mutable_object(0)->mutable_mesh()->set_file(mesh.name);
+  for (const v1::Backend backend : {v1::CPU, v1::GL}) {
+    Viewer viewer(daemon);
+    const auto light = viewer.open(direct_scene(), backend);
+    ASSERT_TRUE(light) << viewer.error().message;
+    // The second time nothing is uploaded, and all that is waited for is the import.
+    for (const bool uploaded : {false, true}) {
+      std::unique_ptr<View> view;
+      bool ended = false;
+      viewer.begin_open(heavy, mesh, backend, view, ended);
+      int frames = 0;
+      for (std::uint64_t revision = 1; !ended; ++revision) {
+        v1::UpdateView change;
+        change.set_revision(revision);
+        *change.mutable_camera() = heavy.camera();
+        viewer.update(*light, change);
+        viewer.ask(*light);
+        ASSERT_TRUE(viewer.next(*light)) << viewer.error().message;
+        ++frames;
+      }
+      ASSERT_TRUE(view) << viewer.error().message;
+      EXPECT_GT(frames, uploaded ? 10 : 0);
+      viewer.close(*view);
+    }
+  }
+}
+
+TEST(View, OneWhoseClientGoesWhileItIsImportedLeavesTheOthersAlone) {
+  const Daemon daemon;
+  const Folder folder;
+  v1::Scene heavy = direct_scene();
+  folder.write("floor.ply", floor_mesh(400).bytes);
+  heavy.mutable_object(0)->mutable_mesh()->set_file("floor.ply");
+  std::string text;
+  google::protobuf::TextFormat::PrintToString(heavy, &text);
+  const std::string scene = folder.write("heavy.txtpb", text);
+  Viewer viewer(daemon);
+  for (int i = 0; i < 3; ++i) {
+    const auto client = daemon.start({"view", scene});
+    const auto light = viewer.open(direct_scene());
+    ASSERT_TRUE(light) << viewer.error().message;
+    viewer.complete(*light, 0);
+    client->signal(SIGKILL);
+    viewer.close(*light);
+  }
+  EXPECT_EQ(daemon.json({"info"})["info"]["worker"][0]["starts"], 1) << "the worker lives";
 }
 
 TEST(View, WordsThatMakeNoSenseAreRefused) {

@@ -29,8 +29,8 @@ std::string complaints(const std::string& stage, const std::string& source) {
 }
 
 TEST(ProgramSources, OfEveryModelAreAsTheLanguageIsWrittenDown) {
-  const Pictures gallery(read_deployed("gallery/gallery.txtpb"));
-  const ProgramSources sources = program_sources(gallery.scene(), {.places = true, .passes = true});
+  const RenderScene gallery = compile(read_deployed("gallery/gallery.txtpb"));
+  const ProgramSources sources = program_sources(gallery, {.places = true, .passes = true});
   for (const std::string* compute :
        {&sources.shade, &sources.finish, &sources.places, &sources.combine})
     EXPECT_EQ(complaints("comp", *compute), "");

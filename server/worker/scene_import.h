@@ -1,0 +1,47 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "common/problem.h"
+#include "server/cpu/embree_scene.h"
+#include "server/scene/camera_space.h"
+#include "server/worker/assets.h"
+#include "server/worker/job.h"
+
+namespace metamer {
+
+/// What a message and its files come to.
+struct ImportedScene {
+  v1::Scene message;
+  AssetNames names;
+  std::unique_ptr<RenderScene> scene;  ///< In camera space.
+  CameraSpace space;
+  std::string objects_key;
+  std::optional<cpu::EmbreeScene> geometry;  ///< Of a CPU worker.
+};
+
+/// Compiles a scene on a thread of its own: meshes may take long, and others want the lane's.
+class SceneImport {
+ public:
+  /// The first `of_objects` of the names are those that objects may be made of. Calls `done` from
+  /// that thread.
+  SceneImport(v1::Scene message, AssetNames names, int of_objects, const WorkerOptions& options,
+              std::function<void()> done);
+  ~SceneImport();  ///< Waits until it is done.
+
+  void cancel() { cancelled_ = true; }
+  bool is_done() const { return done_; }
+  /// Once, when it is done. Errors: what is wrong with the scene.
+  tl::expected<ImportedScene, std::vector<Problem>> take() { return outcome_.get(); }
+
+ private:
+  std::atomic<bool> cancelled_ = false, done_ = false;
+  std::future<tl::expected<ImportedScene, std::vector<Problem>>> outcome_;
+};
+
+}  // namespace metamer
