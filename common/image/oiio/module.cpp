@@ -5,10 +5,10 @@
 
 extern "C" __attribute__((visibility("default"))) const metamer::FileFormats*
 metamer_file_formats() {
-  using namespace metamer::oiio;
+  namespace oiio = metamer::oiio;
   static constexpr metamer::FileFormats functions = {
-      write_image,        write_rgb,         read_header, read_image,
-      write_spectral_exr, read_spectral_exr, false_color};
+      oiio::write_image,        oiio::write_rgb,         oiio::read_header, oiio::read_image,
+      oiio::write_spectral_exr, oiio::read_spectral_exr, oiio::false_color};
   OIIO::attribute("threads", 1);
   OIIO::attribute("exr_threads", -1);
   return &functions;
