@@ -165,7 +165,7 @@ std::vector<BenchCase> method_cases(bool multi_pass) {
 
 BenchCase shading_case(const Entry& model, v1::Shading shading, std::uint32_t points,
                        bool multi_pass) {
-  static const std::string ply = ball_as_ply(16);
+  static const std::string ply = ball_as_ply(8);
   BenchCase one = case_of(model);
   Upload mesh;
   mesh.name = "ball.ply";

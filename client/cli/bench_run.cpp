@@ -37,10 +37,13 @@ asio::awaitable<Answer<v1::Timing>> time_scene(Session& session, const BenchCase
   co_return last.finished().timing();
 }
 
-/// Compiles what drivers compile when it is first run, and fills caches.
+/// Small pictures: drivers compile what is first run, and files come into the worker's store.
 asio::awaitable<Answer<void>> warm_up(Session& session, const std::vector<BenchCase>& cases) {
   for (BenchCase one : cases) {
-    one.scene.mutable_settings()->set_spp(1);
+    v1::Settings& settings = *one.scene.mutable_settings();
+    settings.set_spp(1);
+    settings.set_width((settings.width() + 7) / 8);
+    settings.set_height((settings.height() + 7) / 8);
     const Answer<v1::Timing> timing = co_await time_scene(session, one);
     if (!timing) co_return tl::unexpected<SessionError>(timing.error());
   }

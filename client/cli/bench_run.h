@@ -33,7 +33,7 @@ struct BenchTable {
 
 /// Renders all cases, with the options in place of their settings, group by group, and prints what
 /// the scene is, the legend and the table, each group as soon as it is measured. The rounds of a
-/// group interleave its cases, after one that warms the worker up by one sample a pixel.
+/// group interleave its cases, after small pictures of each that warm the worker up.
 ExitCode run_bench(const BenchOptions& options, std::vector<std::vector<BenchCase>> groups,
                    const BenchTable& table);
 
