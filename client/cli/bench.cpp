@@ -3,6 +3,7 @@
 
 #include "client/cli/bench_run.h"
 #include "client/cli/commands.h"
+#include "client/cli/overrides.h"
 
 namespace metamer::cli {
 namespace {
@@ -39,6 +40,9 @@ ExitCode bench(const BenchOptions& options, std::vector<BenchCase> cases) {
 ExitCode bench_models(const BenchOptions& options) { return bench(options, model_cases()); }
 
 ExitCode bench_methods(const BenchOptions& options) {
+  if (choose_a_method(options.overrides))
+    return refuse_bench(options,
+                        "bench methods runs every method: options that choose one are not for it");
   return bench(options, method_cases(options.overrides.backend == "gl"));
 }
 

@@ -37,13 +37,10 @@ asio::awaitable<Answer<v1::Timing>> time_scene(Session& session, const BenchCase
   co_return last.finished().timing();
 }
 
-/// Small pictures: drivers compile what is first run, and files come into the worker's store.
+/// Drivers compile what is first run, also by the size of pictures, and files come into the store.
 asio::awaitable<Answer<void>> warm_up(Session& session, const std::vector<BenchCase>& cases) {
   for (BenchCase one : cases) {
-    v1::Settings& settings = *one.scene.mutable_settings();
-    settings.set_spp(1);
-    settings.set_width((settings.width() + 7) / 8);
-    settings.set_height((settings.height() + 7) / 8);
+    one.scene.mutable_settings()->set_spp(1);
     const Answer<v1::Timing> timing = co_await time_scene(session, one);
     if (!timing) co_return tl::unexpected<SessionError>(timing.error());
   }
@@ -95,6 +92,12 @@ std::vector<double> relative(const Measured& one, const Measured& base) {
   for (std::size_t i = 0; i < one.seconds.size(); ++i)
     ratios.push_back(one.seconds[i] / base.seconds[i]);
   return ratios;
+}
+
+ExitCode refuse_bench(const BenchOptions& options, const std::string& why) {
+  Report report(options.common.json);
+  report.error(why);
+  return report.finish(ExitCode::bad_input);
 }
 
 ExitCode run_bench(const BenchOptions& options, std::vector<std::vector<BenchCase>> groups,

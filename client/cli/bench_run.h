@@ -31,9 +31,12 @@ struct BenchTable {
   std::function<void(const std::vector<BenchCase>&, const std::vector<Measured>&, Report&)> print;
 };
 
+/// Says why the options make no sense for a benchmark.
+ExitCode refuse_bench(const BenchOptions& options, const std::string& why);
+
 /// Renders all cases, with the options in place of their settings, group by group, and prints what
 /// the scene is, the legend and the table, each group as soon as it is measured. The rounds of a
-/// group interleave its cases, after small pictures of each that warm the worker up.
+/// group interleave its cases, after one sample a pixel of each that warms the worker up.
 ExitCode run_bench(const BenchOptions& options, std::vector<std::vector<BenchCase>> groups,
                    const BenchTable& table);
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <set>
 
 #include "client/cli/bench_run.h"
 #include "client/cli/commands.h"
+#include "client/cli/overrides.h"
 
 namespace metamer::cli {
 namespace {
@@ -13,7 +15,7 @@ namespace {
 class ShadingTable {
  public:
   explicit ShadingTable(const BenchShadingOptions& options)
-      : models_(options.models), counts_(options.counts) {
+      : models_(options.models), counts_(options.counts.begin(), options.counts.end()) {
     if (options.bench.overrides.backend == "gl") forms_ = {false, true};
   }
 
@@ -79,13 +81,17 @@ class ShadingTable {
   }
 
   const std::vector<std::string>& models_;  ///< Empty: all.
-  const std::vector<std::uint32_t>& counts_;
+  const std::set<std::uint32_t> counts_;
   std::vector<bool> forms_ = {false};  ///< Multi-pass or not.
 };
 
 }  // namespace
 
 ExitCode bench_shading(const BenchShadingOptions& options) {
+  if (options.bench.overrides.shading || choose_a_method(options.bench.overrides))
+    return refuse_bench(options.bench,
+                        "bench shading compares methods per vertex and per pixel: options that "
+                        "choose one are not for it");
   const ShadingTable table(options);
   return run_bench(options.bench, table.groups(),
                    {"The time of so many wavelengths over that of rgb; *: four a pass.",

@@ -240,6 +240,10 @@ ExitCode compare(const CompareOptions& options) {
     report.error("--output: " + quoted(file) + " does not end in .png");
     return report.finish(ExitCode::bad_input);
   }
+  if (const auto loaded = load_file_formats(); !loaded) {
+    report.problem(loaded.error(), {});
+    return report.finish(ExitCode::other);
+  }
   return report.finish(compare_with(options, report));
 }
 

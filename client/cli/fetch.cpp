@@ -34,7 +34,8 @@ boost::asio::awaitable<ExitCode> fetch_from(Session& session, const FetchOptions
 
 ExitCode fetch(const FetchOptions& options) {
   Report report(options.common.json);
-  if (!check_output(options.output, report)) return report.finish(ExitCode::bad_input);
+  const ExitCode fit = check_output(options.output, report);
+  if (fit != ExitCode::done) return report.finish(fit);
   v1::Development checked;
   if (const auto words = apply(options.development, checked); !words) {
     report.error(words.error().message);

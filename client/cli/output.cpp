@@ -59,7 +59,7 @@ ExitCode write_kept_factors(const OutputOptions& options, const Factors& factors
 
 }  // namespace
 
-bool check_output(const OutputOptions& options, Report& report) {
+ExitCode check_output(const OutputOptions& options, Report& report) {
   bool good = true;
   std::set<std::string> seen;
   std::vector<std::string> files = options.files;
@@ -75,7 +75,10 @@ bool check_output(const OutputOptions& options, Report& report) {
     report.error("--exr: " + exr.error().message);
     good = false;
   }
-  return good;
+  // Now, and not after an hour of rendering.
+  const auto loaded = options.files.empty() ? Result<void>() : load_file_formats();
+  if (!loaded) report.problem(loaded.error(), {});
+  return !good ? ExitCode::bad_input : loaded ? ExitCode::done : ExitCode::other;
 }
 
 Problem factors_by_gl() {

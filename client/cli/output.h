@@ -10,8 +10,8 @@
 namespace metamer::cli {
 
 /// Whether the files named can be written at the end, before anything is rendered: known
-/// extensions, no name twice, folders that exist. Prints what is wrong.
-bool check_output(const OutputOptions& options, Report& report);
+/// extensions, no name twice, folders that exist, and what writes them. Prints what is wrong.
+ExitCode check_output(const OutputOptions& options, Report& report);
 
 /// What of a job has to be asked for.
 Wanted wanted(const OutputOptions& options);

@@ -292,6 +292,11 @@ Result<std::vector<Replaced>> apply(const Overrides& overrides, v1::Scene& scene
   return replaced;
 }
 
+bool choose_a_method(const Overrides& overrides) {
+  return overrides.method || overrides.samples || overrides.wavelengths || overrides.fitted ||
+         overrides.multi_pass || overrides.bases || overrides.tolerance || overrides.deadline;
+}
+
 std::string option_of(const std::vector<Replaced>& replaced, const std::string& field) {
   for (const Replaced& one : replaced)
     if (contains(one.field, field)) return one.option;

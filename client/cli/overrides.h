@@ -19,6 +19,9 @@ struct Replaced {
 /// validate_scene's business; an error here is one of syntax, or names what does not exist.
 Result<std::vector<Replaced>> apply(const Overrides& overrides, v1::Scene& scene);
 
+/// One of the options says by which method.
+bool choose_a_method(const Overrides& overrides);
+
 /// The option that the field belongs to; empty when it is the scene's own.
 std::string option_of(const std::vector<Replaced>& replaced, const std::string& field);
 

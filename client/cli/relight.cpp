@@ -220,7 +220,8 @@ ExitCode relight_file(const RelightOptions& options, Report& report) {
 
 ExitCode relight(const RelightOptions& options) {
   Report report(options.json);
-  if (!check_output(options.output, report)) return report.finish(ExitCode::bad_input);
+  const ExitCode fit = check_output(options.output, report);
+  if (fit != ExitCode::done) return report.finish(fit);
   return report.finish(relight_file(options, report));
 }
 

@@ -67,7 +67,8 @@ asio::awaitable<ExitCode> render_on(Session& session, Interrupts& interrupts,
 
 ExitCode render(const RenderOptions& options) {
   Report report(options.common.json);
-  if (!check_output(options.output, report)) return report.finish(ExitCode::bad_input);
+  const ExitCode fit = check_output(options.output, report);
+  if (fit != ExitCode::done) return report.finish(fit);
   const auto scene = SceneInput::load(options.scene, options.overrides, report);
   if (!scene) return report.finish(ExitCode::bad_input);
   if (scene->scene().settings().backend() == v1::GL &&

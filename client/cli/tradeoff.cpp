@@ -15,6 +15,7 @@
 #include "client/cli/follow.h"
 #include "client/cli/gnuplot.h"
 #include "client/cli/method_text.h"
+#include "client/cli/overrides.h"
 #include "client/cli/scene_input.h"
 #include "common/color/srgb.h"
 #include "common/image/compare.h"
@@ -205,9 +206,7 @@ asio::awaitable<ExitCode> tradeoff_on(const Bench& bench, Report& report) {
 
 /// Whether the options make sense here; says why not.
 bool check_options(const TradeoffOptions& options, Report& report) {
-  const Overrides& overrides = options.overrides;
-  if (overrides.method || overrides.samples || overrides.wavelengths || overrides.bases ||
-      overrides.tolerance || overrides.deadline) {
+  if (choose_a_method(options.overrides)) {
     report.error("tradeoff runs every method: options that choose one are not for it");
     return false;
   }

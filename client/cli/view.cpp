@@ -205,7 +205,7 @@ asio::awaitable<ExitCode> view_on(Session& session, Interrupts& interrupts,
 }
 
 /// What no parser of words finds.
-bool check(const ViewOptions& options, Report& report) {
+ExitCode check(const ViewOptions& options, Report& report) {
   std::string wrong;
   if (options.rate && !(*options.rate >= 0.001 && *options.rate <= 1e6))
     wrong = "--rate: frames a second from 0.001 to 1000000";
@@ -215,14 +215,15 @@ bool check(const ViewOptions& options, Report& report) {
   if (!wrong.empty()) report.error(wrong);
   OutputOptions output;
   if (options.output) output.files = {*options.output};
-  return wrong.empty() && check_output(output, report);
+  return wrong.empty() ? check_output(output, report) : ExitCode::bad_input;
 }
 
 }  // namespace
 
 ExitCode view(const ViewOptions& options) {
   Report report(options.common.json);
-  if (!check(options, report)) return report.finish(ExitCode::bad_input);
+  const ExitCode checked = check(options, report);
+  if (checked != ExitCode::done) return report.finish(checked);
   const auto scene = SceneInput::load(options.scene, options.overrides, report);
   if (!scene) return report.finish(ExitCode::bad_input);
   return report.finish(

@@ -21,15 +21,24 @@ Result<const FileFormats*> load() {
   return functions();
 }
 
+const Result<const FileFormats*>& formats() {
+  static const Result<const FileFormats*> loaded = load();
+  return loaded;
+}
+
 template <class Function, class... Arguments>
 auto call(Function FileFormats::*function, Arguments&&... arguments)
     -> decltype((std::declval<FileFormats>().*function)(std::forward<Arguments>(arguments)...)) {
-  static const Result<const FileFormats*> formats = load();
-  if (!formats) return tl::unexpected(formats.error());
-  return ((*formats)->*function)(std::forward<Arguments>(arguments)...);
+  if (!formats()) return tl::unexpected(formats().error());
+  return ((*formats())->*function)(std::forward<Arguments>(arguments)...);
 }
 
 }  // namespace
+
+Result<void> load_file_formats() {
+  if (!formats()) return tl::unexpected(formats().error());
+  return {};
+}
 
 Result<GamutReport> write_image(const Image& xyz_image, const std::filesystem::path& file, bool xyz,
                                 const std::map<std::string, std::string>& metadata,

@@ -50,6 +50,10 @@ struct GamutReport {
   std::size_t above = 0;     ///< Pixels with an RGB value above 1.
 };
 
+/// Loads what reading and writing files needs (file_formats.h), which they else do themselves.
+/// Error: the one that they would end with.
+Result<void> load_file_formats();
+
 /// Writes by the extension of `file`: .png is 8-bit RGB of the space, rounded to nearest, clipped
 /// to [0, 1] and counted in the report, with an ICC profile unless it is sRGB's own; .exr is 32-bit
 /// float linear RGB, unclipped, with its chromaticities. With `xyz` an .exr holds X Y Z, bit for

@@ -55,7 +55,7 @@ void describe(CLI::App& app, CommandLine& line) {
                  "the worker's program. Default: metamer-worker beside "
                  "this one");
   app.add_option("--gl-device", line.gl_device,
-                 "of the GL worker, which starts with its first job: auto, a graphics processor "
+                 "of the GL worker, which starts when it is asked for: auto, a graphics processor "
                  "before software; reference, software; or a number, in EGL's order")
       ->check(CLI::IsMember({"auto", "reference"}) | CLI::Range(0u, 15u))
       ->capture_default_str();

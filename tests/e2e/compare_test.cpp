@@ -164,5 +164,21 @@ TEST_F(CompareCommand, TellsMetamersApartUnderASecondLight) {
             1);
 }
 
+TEST_F(CompareCommand, SaysWhereTheModuleOfFileFormatsIsMissing) {
+  const std::string alone = folder / "metamer";
+  std::filesystem::copy_file(METAMER_BIN "/metamer", alone);
+  const Ended ended = run({alone, "compare", a, b});
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_EQ(ended.err.rfind("error: can't load what reads and writes pictures: " + folder.path() +
+                                "/metamer-file-formats.so: ",
+                            0),
+            0u)
+      << ended.err;
+  const std::string scene = folder.write("scene.txtpb", "");
+  const Ended rendered = run({alone, "render", scene, "-o", folder / "c.png"});
+  EXPECT_EQ(rendered.code, 1) << "before anything is rendered: " << rendered.err;
+  EXPECT_NE(rendered.err.find("can't load what reads and writes pictures"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace metamer::test

@@ -79,6 +79,23 @@ TEST(BenchCommand, HasARowForEachModelPerVertexAndPerPixel) {
   }
 }
 
+TEST(BenchCommand, MeasuresTheModelsAndCountsThatAreNamedAlone) {
+  const auto bench = [](const std::string& models, const std::string& counts) {
+    return metamer({"bench", "shading", "--rounds", "1", "--size", "16x12", "--spp", "1", "--json",
+                    "--models", models, "--counts", counts});
+  };
+  const Json rows = parse_document(bench("strauss,phong", "9,9").out)["rows"];
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows[0]["model"], "phong") << "in the registry's order";
+  EXPECT_EQ(rows[3]["model"], "strauss");
+  for (const Json& row : rows) EXPECT_GT(row["point"]["9"].get<double>(), 0);
+  EXPECT_EQ(bench("straus", "9").code, 2);
+  EXPECT_EQ(bench("strauss", "1").code, 2);
+  for (const char* own : {"--shading=gouraud", "--method=rgb", "--fitted=8"})
+    EXPECT_EQ(metamer({"bench", "shading", own}).code, 2) << own;
+  EXPECT_EQ(metamer({"bench", "methods", "--samples", "400:700:5"}).code, 2);
+}
+
 TEST(ShownScenes, AreSound) {
   for (const char* scene : {"/gallery/gallery.txtpb", "/booth/booth.txtpb"}) {
     const Ended ended = metamer({"check", deploy + scene});
