@@ -40,13 +40,13 @@ Result<GlPicture> GlPicture::make(gl::Device& device, const std::string& key,
 
 Result<void> GlPicture::render(const v1::RenderTiles& message, const Film& film,
                                const std::atomic<bool>& stopped, std::atomic<std::uint64_t>& work,
-                               Guests& guests, const TileDone& tile_done) {
+                               ViewTurns& view_turns, const TileDone& tile_done) {
   static const long loss = samples_until_loss();
   static long samples = 0;
   const auto others = [&] {
     if (loss > 0 && ++samples == loss) device_.context().release();
-    if (!guests.waiting()) return false;
-    guests.serve();
+    if (!view_turns.waiting()) return false;
+    view_turns.serve();
     return true;
   };
   for (const gl::Region& region : gl::regions_of(message, gl::Renderer::max_side)) {

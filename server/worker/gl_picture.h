@@ -5,7 +5,7 @@
 #include "metamer/v1/worker.pb.h"
 #include "server/gl/device.h"
 #include "server/gl/renderer.h"
-#include "server/worker/guests.h"
+#include "server/worker/view_turns.h"
 
 namespace metamer {
 
@@ -21,10 +21,10 @@ class GlPicture {
 
   using TileDone = std::function<void(const v1::TileRect& tile, std::uint64_t rays)>;
   /// Renders region by region, each of them whole before its tiles are told; after each sample of a
-  /// region the guests have their turn. Ends early when `stopped`.
+  /// region the views have their turn. Ends early when `stopped`.
   Result<void> render(const v1::RenderTiles& message, const Film& film,
                       const std::atomic<bool>& stopped, std::atomic<std::uint64_t>& work,
-                      Guests& guests, const TileDone& tile_done);
+                      ViewTurns& view_turns, const TileDone& tile_done);
 
   void add_preparation(v1::Timing& timing) const;
   void set_passes(v1::Timing& timing) const;

@@ -58,8 +58,9 @@ bool is_sound(const v1::TileRect& tile, const v1::Plan& plan) {
 
 }  // namespace
 
-Job::Job(std::uint64_t id, const WorkerOptions& options, Link& link, Work& work, Guests& guests)
-    : id_(id), options_(options), link_(link), work_(work), guests_(guests) {}
+Job::Job(std::uint64_t id, const WorkerOptions& options, Link& link, Work& work,
+         ViewTurns& view_turns)
+    : id_(id), options_(options), link_(link), work_(work), view_turns_(view_turns) {}
 
 Job::~Job() = default;
 
@@ -77,7 +78,7 @@ void Job::compile(const v1::CompileJob& message) {
 
   // Compile it: names, spectra and meshes become flat arrays.
   tl::expected<RenderScene, std::vector<Problem>> compiled;
-  guests_.serve_while([&] {
+  view_turns_.serve_while([&] {
     compiled = compile_scene(scene, stored_assets(message.asset(), options_.store), stopped_);
   });
   ++work_;
@@ -180,7 +181,7 @@ void Job::render(const v1::RenderTiles& message) {
 bool Job::build_geometry() {
   if (geometry_) return true;
   const auto start = Clock::now();
-  guests_.serve_while([&] {
+  view_turns_.serve_while([&] {
     tbb::task_arena arena(static_cast<int>(options_.threads));
     arena.execute([&] { geometry_ = cpu::EmbreeScene::build(*scene_, stopped_); });
   });
@@ -219,7 +220,7 @@ bool Job::render_tiles(const v1::RenderTiles& message, const Film& film) {
   std::atomic<int> next = 0;
   while (next < message.tile_size() && !stopped_) {
     render_some(tracer, message, film, next);
-    if (!stopped_ && guests_.waiting()) guests_.serve();
+    if (!stopped_ && view_turns_.waiting()) view_turns_.serve();
   }
   return !stopped_;
 }
@@ -229,7 +230,7 @@ bool Job::render_tiles(const v1::RenderTiles& message, const Film& film) {
 void Job::render_some(const cpu::Tracer& tracer, const v1::RenderTiles& message, const Film& film,
                       std::atomic<int>& next) {
   const auto begun = Clock::now();
-  const auto is_over = [&] { return guests_.waiting() && Clock::now() - begun > turn_time; };
+  const auto is_over = [&] { return view_turns_.waiting() && Clock::now() - begun > turn_time; };
   tbb::parallel_for(0u, plan_.threads(), [&](unsigned) {
     cpu::Tracer::Workspace workspace = tracer.make_workspace();
     FilmSink film_sink(*method_, film, plan_.spp());
@@ -265,7 +266,7 @@ Result<void> Job::render_by_gl(const v1::RenderTiles& message, const Film& film)
     ++work_;
   }
   const auto done = gl_picture_->render(
-      message, film, stopped_, work_, guests_,
+      message, film, stopped_, work_, view_turns_,
       [&](const v1::TileRect& tile, std::uint64_t rays) { send_tile(tile, rays); });
   gl_picture_->set_passes(timing_);
   return done;

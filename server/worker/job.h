@@ -12,8 +12,8 @@
 #include "server/film/film.h"
 #include "server/methods/method.h"
 #include "server/scene/render_scene.h"
-#include "server/worker/guests.h"
 #include "server/worker/link.h"
+#include "server/worker/view_turns.h"
 
 namespace metamer::gl {
 class Device;
@@ -41,8 +41,9 @@ using Work = std::atomic<std::uint64_t>;
 /// object. Runs on one thread; `stop` alone may be called from another.
 class Job {
  public:
-  /// Between two parts of its picture the job lets its guests have a turn.
-  Job(std::uint64_t id, const WorkerOptions& options, Link& link, Work& work, Guests& guests);
+  /// Between two parts of its picture the job gives the views their turns.
+  Job(std::uint64_t id, const WorkerOptions& options, Link& link, Work& work,
+      ViewTurns& view_turns);
   ~Job();
 
   /// Parses, compiles and plans; sends JobPlanned, Failed or JobStopped.
@@ -83,7 +84,7 @@ class Job {
   const WorkerOptions& options_;
   Link& link_;
   Work& work_;
-  Guests& guests_;
+  ViewTurns& view_turns_;
   std::atomic<bool> stopped_ = false;
   std::atomic<bool> too_many_factors_ = false;  ///< The picture goes on without.
   bool keep_factors_ = false;

@@ -7,8 +7,8 @@
 
 #include "server/gl/context.h"
 #include "server/plan/plan.h"
-#include "server/worker/guests.h"
 #include "server/worker/problems.h"
+#include "server/worker/view_turns.h"
 
 namespace metamer {
 namespace {

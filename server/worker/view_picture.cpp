@@ -10,7 +10,7 @@
 #include "server/film/pixel_sink.h"
 #include "server/gl/device.h"
 #include "server/gl/renderer.h"
-#include "server/worker/guests.h"
+#include "server/worker/view_turns.h"
 
 namespace metamer {
 namespace {

@@ -7,14 +7,14 @@
 #include <mutex>
 #include <vector>
 
-#include "server/worker/guests.h"
 #include "server/worker/view.h"
+#include "server/worker/view_turns.h"
 
 namespace metamer {
 
 /// All views of a worker. They have turns with each other and with the job: a frame each, or as
 /// much of it as a turn's time allows.
-class Views : public Guests {
+class Views : public ViewTurns {
  public:
   /// `wake` is called from any thread when there is something to serve.
   Views(const WorkerOptions& options, Link& link, Work& work, std::function<void()> wake);
