@@ -6,7 +6,7 @@
 #include "common/digest.h"
 #include "common/scene/limits.h"
 
-namespace metamer {
+namespace metamer::worker {
 
 Result<std::string> read_stored(const std::filesystem::path& store, const std::string& digest) {
   const auto known = digest_from_bytes(digest);
@@ -54,4 +54,4 @@ std::string geometry_key(const std::string& objects_key, const CameraSpace& spac
   return key;
 }
 
-}  // namespace metamer
+}  // namespace metamer::worker

@@ -8,7 +8,7 @@
 #include "metamer/v1/scene.pb.h"
 #include "server/scene/camera_space.h"
 
-namespace metamer {
+namespace metamer::worker {
 
 /// An asset's bytes from the store. The daemon has checked digest and size.
 Result<std::string> read_stored(const std::filesystem::path& store, const std::string& digest);
@@ -26,4 +26,4 @@ std::string objects_key(const v1::Scene& scene, const RenderScene& compiled,
 /// And where they are placed: all that uploaded geometry depends on.
 std::string geometry_key(const std::string& objects_key, const CameraSpace& space);
 
-}  // namespace metamer
+}  // namespace metamer::worker

@@ -4,7 +4,7 @@
 #include "metamer/v1/scene.pb.h"
 #include "server/gl/device.h"
 
-namespace metamer {
+namespace metamer::worker {
 
 namespace {
 
@@ -40,4 +40,4 @@ v1::Capabilities capabilities(const WorkerOptions& options) {
   return result;
 }
 
-}  // namespace metamer
+}  // namespace metamer::worker

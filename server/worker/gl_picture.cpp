@@ -5,7 +5,7 @@
 
 #include "server/gl/regions.h"
 
-namespace metamer {
+namespace metamer::worker {
 
 using Clock = std::chrono::steady_clock;
 
@@ -75,4 +75,4 @@ void GlPicture::set_passes(v1::Timing& timing) const {
   }
 }
 
-}  // namespace metamer
+}  // namespace metamer::worker

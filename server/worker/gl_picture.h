@@ -7,7 +7,7 @@
 #include "server/gl/renderer.h"
 #include "server/worker/view_turns.h"
 
-namespace metamer {
+namespace metamer::worker {
 
 /// One job's picture by the GL backend. Belongs to the thread in which the device's context is
 /// current.
@@ -42,4 +42,4 @@ class GlPicture {
   double upload_seconds_ = 0, program_seconds_ = 0;
 };
 
-}  // namespace metamer
+}  // namespace metamer::worker

@@ -1,6 +1,6 @@
 #include "server/worker/heartbeat.h"
 
-namespace metamer {
+namespace metamer::worker {
 
 Heartbeat::Heartbeat(Link& link, const Work& work, const std::atomic<bool>& busy)
     : link_(link), work_(work), busy_(busy), thread_([this] { run(); }) {}
@@ -24,4 +24,4 @@ void Heartbeat::run() {
   }
 }
 
-}  // namespace metamer
+}  // namespace metamer::worker

@@ -6,7 +6,7 @@
 
 #include "server/worker/job.h"
 
-namespace metamer {
+namespace metamer::worker {
 
 /// Tells the daemon four times a second that this process lives, whether it has work, and how far
 /// that has come.
@@ -27,4 +27,4 @@ class Heartbeat {
   std::thread thread_;
 };
 
-}  // namespace metamer
+}  // namespace metamer::worker

@@ -18,7 +18,7 @@
 #include "server/worker/gl_picture.h"
 #include "server/worker/problems.h"
 
-namespace metamer {
+namespace metamer::worker {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -327,4 +327,4 @@ void Job::send_last(const v1::WorkerEnvelope& message) {
   link_.send(message);
 }
 
-}  // namespace metamer
+}  // namespace metamer::worker

@@ -22,7 +22,7 @@ namespace metamer::cpu {
 class Tracer;
 }
 
-namespace metamer {
+namespace metamer::worker {
 
 class GlPicture;
 
@@ -101,4 +101,4 @@ class Job {
   std::atomic<std::uint64_t> ticks_ = 0, model_ticks_ = 0;  ///< Of all threads, while rendering.
 };
 
-}  // namespace metamer
+}  // namespace metamer::worker

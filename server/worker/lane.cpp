@@ -5,7 +5,7 @@
 
 #include "server/gl/device.h"
 
-namespace metamer {
+namespace metamer::worker {
 
 Lane::Lane(const WorkerOptions& options, Link& link, Work& work, std::atomic<bool>& busy)
     : options_(options),
@@ -121,4 +121,4 @@ void Lane::step(const v1::WorkerEnvelope& message) {
     job_->render(message.render_tiles());
 }
 
-}  // namespace metamer
+}  // namespace metamer::worker

@@ -9,7 +9,7 @@
 #include "server/worker/job.h"
 #include "server/worker/views.h"
 
-namespace metamer {
+namespace metamer::worker {
 
 /// The CPU lane or the GL lane: carries out the daemon's messages, one step of one job at a time,
 /// and between steps and in the middle of them the views', on a thread of its own, so that StopJob
@@ -44,4 +44,4 @@ class Lane {
   std::thread thread_;
 };
 
-}  // namespace metamer
+}  // namespace metamer::worker

@@ -2,7 +2,7 @@
 
 #include "common/wire/blocking.h"
 
-namespace metamer {
+namespace metamer::worker {
 
 bool Link::send(const v1::WorkerEnvelope& message) {
   const std::lock_guard lock(sending_);
@@ -14,4 +14,4 @@ std::optional<v1::WorkerEnvelope> Link::receive() {
   return message ? std::move(*message) : std::nullopt;
 }
 
-}  // namespace metamer
+}  // namespace metamer::worker

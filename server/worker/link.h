@@ -5,7 +5,7 @@
 
 #include "metamer/v1/worker.pb.h"
 
-namespace metamer {
+namespace metamer::worker {
 
 /// The worker's end of the socket pair. Any thread may send; one thread receives.
 class Link {
@@ -23,4 +23,4 @@ class Link {
   std::mutex sending_;
 };
 
-}  // namespace metamer
+}  // namespace metamer::worker

@@ -26,7 +26,8 @@ constexpr const char* usage =
     "Started by metamerd; descriptor 3 is its socket, descriptor 4 the picture's memory.\n";
 
 /// Opens the GL device, with all files that its driver wants, and frees it for the lane's thread.
-std::unique_ptr<metamer::gl::Device> open_device(const std::string& which, metamer::Link& link) {
+std::unique_ptr<metamer::gl::Device> open_device(const std::string& which,
+                                                 metamer::worker::Link& link) {
   setenv("MESA_SHADER_CACHE_DISABLE", "1", 0);  // Programs are kept in memory; no files in $HOME.
   auto device = metamer::gl::Device::create(which);
   if (!device) {
@@ -41,31 +42,31 @@ std::unique_ptr<metamer::gl::Device> open_device(const std::string& which, metam
 }
 
 /// Exit codes: 0 the daemon is gone, 1 this machine or this daemon can't run it, 2 usage.
-int run(metamer::WorkerOptions options, const std::string& gl_device) {
+int run(metamer::worker::WorkerOptions options, const std::string& gl_device) {
 #ifdef __AVX2__
   if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) {
     std::fprintf(stderr, "metamer-worker: this processor lacks AVX2 and FMA\n");
     return 1;
   }
 #endif
-  metamer::Link link(link_descriptor);
+  metamer::worker::Link link(link_descriptor);
   std::unique_ptr<metamer::gl::Device> device;
   if (!gl_device.empty()) {
     device = open_device(gl_device, link);
     if (!device) return 1;
     options.gl = device.get();
   }
-  const std::string sandbox = metamer::enter_sandbox(options.store);
-  metamer::Work work = 0;
+  const std::string sandbox = metamer::worker::enter_sandbox(options.store);
+  metamer::worker::Work work = 0;
   std::atomic<bool> busy = false;
 
   metamer::v1::WorkerEnvelope ready;
-  *ready.mutable_ready()->mutable_capabilities() = metamer::capabilities(options);
+  *ready.mutable_ready()->mutable_capabilities() = metamer::worker::capabilities(options);
   ready.mutable_ready()->set_sandbox(sandbox);
   if (!link.send(ready)) return 0;
 
-  const metamer::Heartbeat heartbeat(link, work, busy);
-  metamer::Lane lane(options, link, work, busy);
+  const metamer::worker::Heartbeat heartbeat(link, work, busy);
+  metamer::worker::Lane lane(options, link, work, busy);
   while (const auto message = link.receive())
     if (!lane.take(*message)) {
       std::fprintf(stderr, "metamer-worker: unexpected message from the daemon\n");
@@ -78,7 +79,7 @@ int run(metamer::WorkerOptions options, const std::string& gl_device) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  metamer::WorkerOptions options{
+  metamer::worker::WorkerOptions options{
       .store = {}, .threads = 0, .gl = nullptr, .film_descriptor = film_descriptor};
   std::string gl_device;
   for (int i = 1; i + 1 < count; i += 2) {

@@ -1,6 +1,6 @@
 #include "server/worker/problems.h"
 
-namespace metamer {
+namespace metamer::worker {
 
 void add_problems(const std::vector<Problem>& problems,
                   google::protobuf::RepeatedPtrField<v1::Problem>& to) {
@@ -15,4 +15,4 @@ void add_problems(const std::vector<Problem>& problems,
   }
 }
 
-}  // namespace metamer
+}  // namespace metamer::worker

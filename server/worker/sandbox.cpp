@@ -11,7 +11,7 @@
 #include <csignal>
 #include <cstring>
 
-namespace metamer {
+namespace metamer::worker {
 namespace {
 
 /// Every right over files that Landlock's first version knows (Linux 5.13).
@@ -53,4 +53,4 @@ std::string enter_sandbox(const std::filesystem::path& store) {
   return std::string("rlimits only: landlock: ") + std::strerror(errno);
 }
 
-}  // namespace metamer
+}  // namespace metamer::worker

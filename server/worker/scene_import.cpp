@@ -4,7 +4,7 @@
 
 #include "server/scene/compile.h"
 
-namespace metamer {
+namespace metamer::worker {
 namespace {
 
 using Outcome = tl::expected<ImportedScene, std::vector<Problem>>;
@@ -52,4 +52,4 @@ SceneImport::~SceneImport() {
   if (outcome_.valid()) outcome_.wait();
 }
 
-}  // namespace metamer
+}  // namespace metamer::worker

@@ -13,7 +13,7 @@
 #include "server/worker/assets.h"
 #include "server/worker/job.h"
 
-namespace metamer {
+namespace metamer::worker {
 
 /// What a message and its files come to.
 struct ImportedScene {
@@ -44,4 +44,4 @@ class SceneImport {
   std::future<tl::expected<ImportedScene, std::vector<Problem>>> outcome_;
 };
 
-}  // namespace metamer
+}  // namespace metamer::worker

@@ -10,7 +10,7 @@
 #include "server/worker/problems.h"
 #include "server/worker/view_turns.h"
 
-namespace metamer {
+namespace metamer::worker {
 namespace {
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -225,4 +225,4 @@ v1::WorkerEnvelope View::event() const {
   return message;
 }
 
-}  // namespace metamer
+}  // namespace metamer::worker

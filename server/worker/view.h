@@ -15,7 +15,7 @@
 #include "server/worker/view_picture.h"
 #include "server/worker/view_scene.h"
 
-namespace metamer {
+namespace metamer::worker {
 
 /// A scene that a client looks at and changes. Keeps everything that a change leaves as it is:
 /// after a camera only frames are drawn, after a light or a material their tables are made anew,
@@ -89,4 +89,4 @@ class View {
   std::vector<std::uint8_t> rgb_;
 };
 
-}  // namespace metamer
+}  // namespace metamer::worker

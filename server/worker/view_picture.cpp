@@ -12,7 +12,7 @@
 #include "server/gl/renderer.h"
 #include "server/worker/view_turns.h"
 
-namespace metamer {
+namespace metamer::worker {
 namespace {
 
 /// A draw ends by its time, and by nothing else.
@@ -127,4 +127,4 @@ Result<std::unique_ptr<ViewPicture>> gl_picture(const RenderScene& scene, const 
   return std::make_unique<GpuPicture>(scene, device, std::move(*geometry));
 }
 
-}  // namespace metamer
+}  // namespace metamer::worker

@@ -9,7 +9,7 @@
 #include "server/methods/method.h"
 #include "server/worker/job.h"
 
-namespace metamer {
+namespace metamer::worker {
 
 /// Draws a view's frames, on the CPU or the GPU. Knows the geometry; what else it draws by may
 /// change. Belongs to the lane's thread.
@@ -35,4 +35,4 @@ std::unique_ptr<ViewPicture> cpu_picture(const RenderScene& scene, cpu::EmbreeSc
 Result<std::unique_ptr<ViewPicture>> gl_picture(const RenderScene& scene, const std::string& key,
                                                 gl::Device& device);
 
-}  // namespace metamer
+}  // namespace metamer::worker

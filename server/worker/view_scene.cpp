@@ -8,7 +8,7 @@
 #include "common/scene/validate.h"
 #include "server/scene/compile.h"
 
-namespace metamer {
+namespace metamer::worker {
 namespace {
 
 /// Farther away than this, in sizes of the scene, f32 is no longer fine enough for it.
@@ -136,4 +136,4 @@ tl::expected<ImportedScene, ViewScene::Problems> ViewScene::end_import() {
   return std::exchange(import_, nullptr)->take();
 }
 
-}  // namespace metamer
+}  // namespace metamer::worker

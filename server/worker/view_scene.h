@@ -7,7 +7,7 @@
 #include "metamer/v1/worker.pb.h"
 #include "server/worker/scene_import.h"
 
-namespace metamer {
+namespace metamer::worker {
 
 /// The scene of a view, as changes leave it. Keeps everything that a change leaves as it is; where
 /// objects would look different, all is imported anew. Belongs to the lane's thread.
@@ -56,4 +56,4 @@ class ViewScene {
   std::unique_ptr<SceneImport> import_;
 };
 
-}  // namespace metamer
+}  // namespace metamer::worker

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <functional>
 
-namespace metamer {
+namespace metamer::worker {
 
 /// How long a job or a view works on while others wait: about a frame's time.
 inline constexpr std::chrono::milliseconds turn_time{20};
@@ -21,4 +21,4 @@ class ViewTurns {
   virtual void serve_while(const std::function<void()>& work) = 0;
 };
 
-}  // namespace metamer
+}  // namespace metamer::worker

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <future>
 
-namespace metamer {
+namespace metamer::worker {
 
 Views::Views(const WorkerOptions& options, Link& link, Work& work, std::function<void()> wake)
     : options_(options), link_(link), work_(work), wake_(std::move(wake)) {}
@@ -103,4 +103,4 @@ void Views::carry_out(const v1::WorkerEnvelope& message) {
   views_.erase(found);
 }
 
-}  // namespace metamer
+}  // namespace metamer::worker

@@ -10,7 +10,7 @@
 #include "server/worker/view.h"
 #include "server/worker/view_turns.h"
 
-namespace metamer {
+namespace metamer::worker {
 
 /// All views of a worker. They have turns with each other and with the job: a frame each, or as
 /// much of it as a turn's time allows.
@@ -50,4 +50,4 @@ class Views : public ViewTurns {
   bool aside_ = false;                         ///< Work of the job is done meanwhile.
 };
 
-}  // namespace metamer
+}  // namespace metamer::worker
