@@ -40,7 +40,7 @@ Result<const Spectrum*> find_illuminant(const std::string& option, const std::st
 
 /// X Y Z of an illuminant at Y = 1, by 1 nm.
 Xyz white_of(const Spectrum& illuminant, cie::Observer observer) {
-  const Wavelengths wavelengths = *Wavelengths::uniform(360, 830, 1);
+  const Wavelengths wavelengths = observer_wavelengths();
   const ObserverWeights weights = observer_weights(observer, wavelengths);
   Xyz xyz = to_xyz(weights, resample(illuminant, wavelengths.nm(), Outside::zero).values);
   for (const double y = xyz[1]; double& value : xyz) value /= y;

@@ -175,7 +175,7 @@ Wavelengths own_wavelengths(const Spectrum& spectrum) {
 }
 
 Wavelengths fine_wavelengths(const Spectrum& spectrum) {
-  const Wavelengths by_1_nm = *Wavelengths::uniform(360, 830, 1);
+  const Wavelengths by_1_nm = observer_wavelengths();
   std::vector<double> own, both = by_1_nm.nm();
   for (const double nm : spectrum.nm)
     if (nm > 360 && nm < 830) own.push_back(nm);

@@ -29,7 +29,7 @@ TradeoffCase linear(unsigned bases, bool observer) {
 
 }  // namespace
 
-v1::Method tradeoff_reference() { return uniform(360, 830, 1); }
+v1::Method tradeoff_reference() { return uniform(observer_from_nm, observer_to_nm, 1); }
 
 std::vector<TradeoffCase> tradeoff_cases() {
   std::vector<TradeoffCase> cases(3);

@@ -14,14 +14,12 @@ Spectrum to_spectrum(const v1::SampledSpectrum& from) {
   return {{from.nm().begin(), from.nm().end()}, {from.values().begin(), from.values().end()}};
 }
 
-Wavelengths visible() { return *Wavelengths::uniform(360, 830, 1); }
-
 Row to_row(const std::vector<double>& values) { return {values.begin(), values.end()}; }
 
 /// The scene's lights with their luminance, E[3.2-4] by every nm, at `nm`.
 std::vector<std::vector<double>> light_rows(const v1::SceneFactors& scene, cie::Observer observer,
                                             const std::vector<double>& nm) {
-  const Wavelengths all = visible();
+  const Wavelengths all = observer_wavelengths();
   const ObserverWeights weights = observer_weights(observer, all);
   std::vector<std::vector<double>> rows;
   for (const auto& light : scene.light()) {
@@ -101,7 +99,7 @@ struct alignas(16) Color {
 
 std::vector<Color> signature_colors(const v1::TileFactors& tables, const v1::SceneFactors& scene,
                                     cie::Observer observer) {
-  const Wavelengths wavelengths = visible();
+  const Wavelengths wavelengths = observer_wavelengths();
   const ObserverWeights weights = observer_weights(observer, wavelengths);
   std::vector<std::array<Row, 3>> sensors;  // Φ x̄ Δλ and so on, a light each
   for (const std::vector<double>& light : light_rows(scene, observer, wavelengths.nm())) {
@@ -184,13 +182,13 @@ double seen_share(const v1::SceneFactors::Light& light, cie::Observer observer,
     return to_xyz(observer_weights(observer, at),
                   resample(power, at.nm(), Outside::zero).values)[1];
   };
-  const double all = luminance(visible());
+  const double all = luminance(observer_wavelengths());
   return all > 0 ? luminance(wavelengths) / all : 1;
 }
 
 std::optional<Xyz> source_white(const v1::SceneFactors& scene, cie::Observer observer) {
   if (scene.light().empty()) return std::nullopt;
-  const Wavelengths all = visible();
+  const Wavelengths all = observer_wavelengths();
   const ObserverWeights weights = observer_weights(observer, all);
   const auto power = resample(to_spectrum(scene.light(0).power()), all.nm(), Outside::zero).values;
   const double scale = luminance_scale(weights, power, 1);

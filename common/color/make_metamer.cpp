@@ -145,7 +145,7 @@ Result<Metamer> make_metamer(const Spectrum& original, const Spectrum& under,
                      " nm it is " + number_text(original.values[i]) + ")");
 
   // Put everything at 1 nm.
-  const Wavelengths wavelengths = *Wavelengths::uniform(360, 830, 1);
+  const Wavelengths wavelengths = observer_wavelengths();
   const ObserverWeights eye = observer_weights(observer, wavelengths);
   const auto lit_by = [&](const Spectrum& light) {
     return to_rows(under_light(eye, resample(light, wavelengths.nm(), Outside::zero).values));

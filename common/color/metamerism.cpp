@@ -5,7 +5,7 @@ namespace metamer {
 Result<std::vector<Mismatch>> metamerism(const Spectrum& one, const Spectrum& other,
                                          const std::vector<NamedSpectrum>& lights,
                                          cie::Observer observer) {
-  const Wavelengths wavelengths = *Wavelengths::uniform(360, 830, 1);
+  const Wavelengths wavelengths = observer_wavelengths();
   const ObserverWeights eye = observer_weights(observer, wavelengths);
   const std::vector<double> a = resample(one, wavelengths.nm(), Outside::hold).values;
   const std::vector<double> b = resample(other, wavelengths.nm(), Outside::hold).values;

@@ -11,9 +11,6 @@ namespace metamer {
 
 namespace {
 
-// What an eye sees; a formula means little far from where it was fitted.
-constexpr double first_nm = 360, last_nm = 830;
-
 std::vector<double> every_nm(double from, double to) {
   std::vector<double> nm;
   for (double at = from; at <= to; ++at) nm.push_back(at);
@@ -40,17 +37,18 @@ Spectrum index_of(const v1::Dielectric& dielectric) {
       const auto medium = std::find_if(media().begin(), media().end(), [&](const Medium& one) {
         return one.name == dielectric.medium();
       });
-      return tabulate(every_nm(std::max(first_nm, medium->from), std::min(last_nm, medium->to)),
-                      [&](double nm) { return std::sqrt(sellmeier_squared(medium->terms, nm)); });
+      return tabulate(
+          every_nm(std::max(observer_from_nm, medium->from), std::min(observer_to_nm, medium->to)),
+          [&](double nm) { return std::sqrt(sellmeier_squared(medium->terms, nm)); });
     }
     case v1::Dielectric::kSellmeier:
-      return tabulate(every_nm(first_nm, last_nm),
+      return tabulate(every_nm(observer_from_nm, observer_to_nm),
                       [terms = terms_of(dielectric.sellmeier())](double nm) {
                         return std::sqrt(sellmeier_squared(terms, nm));
                       });
     case v1::Dielectric::kCauchy: {
       const v1::Cauchy& c = dielectric.cauchy();
-      return tabulate(every_nm(first_nm, last_nm),
+      return tabulate(every_nm(observer_from_nm, observer_to_nm),
                       [&](double nm) { return cauchy(c.a(), c.b(), c.c(), nm); });
     }
     case v1::Dielectric::kN:

@@ -77,4 +77,8 @@ Result<Wavelengths> Wavelengths::listed(std::vector<double> nm) {
   return Wavelengths(std::move(nm));
 }
 
+Wavelengths observer_wavelengths() {
+  return *Wavelengths::uniform(observer_from_nm, observer_to_nm, 1);
+}
+
 }  // namespace metamer

@@ -36,6 +36,12 @@ class Wavelengths {
   std::vector<double> nm_, widths_;
 };
 
+/// Where the CIE's observers see anything, nm (CIE 15:2004, table T.4).
+inline constexpr double observer_from_nm = 360, observer_to_nm = 830;
+
+/// All of that range by 1 nm: the grid of whatever integrates all that is seen.
+Wavelengths observer_wavelengths();
+
 /// What is wrong with sample positions, whoever they belong to: none, one that is not finite, not
 /// above 0, below its predecessor or equal to it. Nothing: they are sound.
 std::optional<std::string> wrong_positions(const std::vector<double>& nm);

@@ -214,14 +214,12 @@ class ExactMethod : public Method {
 
 }  // namespace
 
-Wavelengths exact_wavelengths() { return *Wavelengths::uniform(360, 830, 1); }
-
 std::uint64_t direct_signatures(const RenderScene& scene) {
   return std::uint64_t{SceneRows(scene).size()} * scene.lights.size();
 }
 
 std::unique_ptr<Method> make_exact(const v1::Plan& plan, const RenderScene& scene) {
-  const Wavelengths wavelengths = exact_wavelengths();
+  const Wavelengths wavelengths = observer_wavelengths();
   const ObserverWeights observer = observer_weights(to_observer(plan.observer()), wavelengths);
   const std::size_t bands = wavelengths.size();
 

@@ -14,9 +14,6 @@ namespace metamer {
 /// beyond that they are integrated each time, which is slow and gives the same bits.
 std::unique_ptr<Method> make_exact(const v1::Plan& plan, const RenderScene& scene);
 
-/// 360 to 830 nm by 1 nm: what an eye sees.
-Wavelengths exact_wavelengths();
-
 /// The signatures that paths without mirrors can have: lights × rows.
 std::uint64_t direct_signatures(const RenderScene& scene);
 

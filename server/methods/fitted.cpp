@@ -164,7 +164,7 @@ Eigen::MatrixXd fit_weights(const TrainingSet& set, const std::vector<Index>& ch
 }
 
 std::vector<Index> rows_at(const std::vector<double>& nm) {
-  const std::vector<double> all = exact_wavelengths().nm();
+  const std::vector<double> all = observer_wavelengths().nm();
   std::vector<Index> rows;
   for (const double one : nm)
     rows.push_back(std::lower_bound(all.begin(), all.end(), one) - all.begin());
@@ -175,7 +175,7 @@ std::vector<Index> rows_at(const std::vector<double>& nm) {
 
 std::vector<double> fitted_wavelengths(const RenderScene& scene, cie::Observer observer,
                                        std::size_t most) {
-  const std::vector<double> all = exact_wavelengths().nm();
+  const std::vector<double> all = observer_wavelengths().nm();
   std::vector<double> nm;
   for (const Index row : choose_rows(make_training_set(scene, observer), most))
     nm.push_back(all[static_cast<std::size_t>(row)]);
@@ -192,7 +192,7 @@ std::unique_ptr<Method> make_fitted(const v1::Plan& plan, const RenderScene& sce
   const std::vector<Index> chosen = rows_at(nm);
 
   // The weights stand for every nanometre, so a light has its luminance by every nanometre.
-  const Wavelengths every = exact_wavelengths();
+  const Wavelengths every = observer_wavelengths();
   const Eigen::MatrixXd powers = light_columns(scene, observer_weights(choice, every), every);
   BandTable lights(scene.lights.size(), nm.size());
   for (std::size_t i = 0; i < scene.lights.size(); ++i)

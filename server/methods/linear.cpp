@@ -110,7 +110,7 @@ class LinearMethod : public Method {
 }  // namespace
 
 LinearBasis scene_basis(const v1::Linear& method, cie::Observer choice, const RenderScene& scene) {
-  const Wavelengths wavelengths = exact_wavelengths();
+  const Wavelengths wavelengths = observer_wavelengths();
   const ObserverWeights observer = observer_weights(choice, wavelengths);
 
   // The inner product of what is light over surface is the product of both: however many lights and
@@ -137,7 +137,7 @@ LinearBasis scene_basis(const v1::Linear& method, cie::Observer choice, const Re
 
 std::unique_ptr<Method> make_linear(const v1::Plan& plan, const RenderScene& scene) {
   const cie::Observer choice = to_observer(plan.observer());
-  const Wavelengths wavelengths = exact_wavelengths();
+  const Wavelengths wavelengths = observer_wavelengths();
   const ObserverWeights observer = observer_weights(choice, wavelengths);
   const LinearBasis basis = scene_basis(plan.method().linear(), choice, scene);
   const auto bases = static_cast<std::size_t>(basis.functions.cols());

@@ -38,17 +38,18 @@ std::unique_ptr<Method> make_method(const v1::Plan& plan, const RenderScene& sce
 Wavelengths method_wavelengths(const v1::Method& method) {
   switch (method.method_case()) {
     case v1::Method::kPoint:
-      return method.point().has_fitted() ? exact_wavelengths() : *point_wavelengths(method.point());
+      return method.point().has_fitted() ? observer_wavelengths()
+                                         : *point_wavelengths(method.point());
     case v1::Method::kExact:
     case v1::Method::kLinear:
     case v1::Method::kPrefilter:
-      return exact_wavelengths();
+      return observer_wavelengths();
     case v1::Method::kRgb:
     case v1::Method::kAuto:
     case v1::Method::METHOD_NOT_SET:
       break;
   }
-  return rgb_wavelengths();
+  return observer_wavelengths();
 }
 
 std::size_t method_bands(const v1::Method& method) {

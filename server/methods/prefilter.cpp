@@ -82,7 +82,7 @@ Filter make_filter(const RenderScene& scene, const ObserverWeights& observer,
 }  // namespace
 
 std::unique_ptr<Method> make_prefilter(const v1::Plan& plan, const RenderScene& scene) {
-  const Wavelengths wavelengths = exact_wavelengths();
+  const Wavelengths wavelengths = observer_wavelengths();
   const ObserverWeights observer = observer_weights(to_observer(plan.observer()), wavelengths);
   const Filter filter = make_filter(scene, observer, wavelengths);
 
@@ -107,7 +107,7 @@ std::unique_ptr<Method> make_prefilter(const v1::Plan& plan, const RenderScene& 
 }
 
 void notice_prefilter(const RenderScene& scene, cie::Observer observer, v1::Plan& plan) {
-  const Wavelengths wavelengths = exact_wavelengths();
+  const Wavelengths wavelengths = observer_wavelengths();
   const Filter filter = make_filter(scene, observer_weights(observer, wavelengths), wavelengths);
   const auto say = [&](const std::string& message) {
     v1::Notice* notice = plan.add_notice();

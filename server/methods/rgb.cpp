@@ -42,10 +42,8 @@ std::array<std::vector<double>, 3> surface_weights(const ObserverWeights& observ
 
 }  // namespace
 
-Wavelengths rgb_wavelengths() { return *Wavelengths::uniform(360, 830, 1); }
-
 std::unique_ptr<Method> make_rgb(const v1::Plan& plan, const RenderScene& scene) {
-  const Wavelengths wavelengths = rgb_wavelengths();
+  const Wavelengths wavelengths = observer_wavelengths();
   const ObserverWeights observer = observer_weights(to_observer(plan.observer()), wavelengths);
 
   BandTable lights(scene.lights.size(), 3);

@@ -9,7 +9,4 @@ namespace metamer {
 /// only where all lights are D65; kept as the thing to beat.
 std::unique_ptr<Method> make_rgb(const v1::Plan& plan, const RenderScene& scene);
 
-/// The wavelengths at which spectra are reduced: 360 to 830 nm by 1 nm.
-Wavelengths rgb_wavelengths();
-
 }  // namespace metamer

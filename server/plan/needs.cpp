@@ -56,7 +56,7 @@ void need_range(const RenderScene& scene, v1::Plan& plan) {
     to = std::max(to, emission.nm[static_cast<std::size_t>(emission.values.rend() - last) - 1]);
   }
   if (to == 0) return plan.add_unneeded("wavelengths: no light has any power");
-  const Wavelengths seen = exact_wavelengths();
+  const Wavelengths seen = observer_wavelengths();
   if (to < seen.nm().front() || from > seen.nm().back())
     return plan.add_unneeded(
         print("wavelengths: the lights' power, %g to %g nm, is not seen", from, to));

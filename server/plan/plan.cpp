@@ -31,7 +31,7 @@ void list_models(const RenderScene& scene, v1::Plan& plan) {
 /// The white of the dominant light, to which an eye adapts (4.6.1).
 void plan_white(const RenderScene& scene, v1::Observer observer, v1::Plan& plan) {
   if (scene.lights.empty()) return;
-  const Wavelengths all = *Wavelengths::uniform(360, 830, 1);
+  const Wavelengths all = observer_wavelengths();
   const Spectrum& light = scene.emissions[scene.lights.front().emission];
   const ObserverWeights lit = under_light(observer_weights(to_observer(observer), all),
                                           resample(light, all.nm(), Outside::zero).values);

@@ -8,9 +8,9 @@ namespace metamer {
 
 Reference::Reference(const RenderScene& scene, cie::Observer observer)
     : scene_(scene),
-      observer_(observer_weights(observer, exact_wavelengths())),
-      bands_(exact_wavelengths().size()) {
-  const Wavelengths wavelengths = exact_wavelengths();
+      observer_(observer_weights(observer, observer_wavelengths())),
+      bands_(observer_wavelengths().size()) {
+  const Wavelengths wavelengths = observer_wavelengths();
   bool has_white = false;
   for (const RenderLight& light : scene.lights) {
     Values power =

@@ -103,7 +103,7 @@ TEST(Relight, TakesOtherSpectraOfTheSameNames) {
 }
 
 TEST(Relight, ASpectrumSumsToItsColour) {
-  const Wavelengths all = *Wavelengths::uniform(360, 830, 1);
+  const Wavelengths all = observer_wavelengths();
   const Factors factors = build();
   const Image spectral = relight_spectral(factors, scene(), cie::Observer::cie_1931_2deg, all);
   const Image xyz = relight(factors, scene(), cie::Observer::cie_1931_2deg);

@@ -109,7 +109,7 @@ class Argyll : public testing::Test {
 };
 
 TEST_F(Argyll, AgreesOnXyzAndLabOfAllTestColours) {
-  const Wavelengths wavelengths = *Wavelengths::uniform(360, 830, 1);
+  const Wavelengths wavelengths = observer_wavelengths();
   for (const auto& [word, observer] : {std::pair{"1931_2", cie::Observer::cie_1931_2deg},
                                        std::pair{"1964_10", cie::Observer::cie_1964_10deg}})
     for (const char* light : {"A", "D50", "D65", "F2", "F7", "F11"}) {

@@ -38,8 +38,8 @@ std::string booth(const std::string& illuminant) {
 class Reference {
  public:
   explicit Reference(const RenderScene& scene)
-      : nm_(exact_wavelengths().nm()),
-        observer_(observer_weights(cie::Observer::cie_1931_2deg, exact_wavelengths())),
+      : nm_(observer_wavelengths().nm()),
+        observer_(observer_weights(cie::Observer::cie_1931_2deg, observer_wavelengths())),
         light_(resample(scene.emissions[0], nm_, Outside::zero).values) {
     const double scale = luminance_scale(observer_, light_, 1);
     for (double& value : light_) value *= scale;
