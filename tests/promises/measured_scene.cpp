@@ -5,7 +5,7 @@
 #include "common/scene/settings.h"
 #include "server/cpu/tracer.h"
 #include "server/scene/camera_space.h"
-#include "tests/server/render/test_scene.h"
+#include "tests/server/test_scene.h"
 
 namespace metamer::promises {
 namespace {

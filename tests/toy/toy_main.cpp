@@ -8,7 +8,7 @@
 #include "common/models/reference.h"
 #include "common/scene/validate.h"
 #include "server/models/lanes.h"
-#include "tests/server/render/test_scene.h"
+#include "tests/server/test_scene.h"
 
 namespace {
 

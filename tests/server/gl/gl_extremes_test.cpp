@@ -14,7 +14,7 @@
 #include "server/gl/renderer.h"
 #include "server/plan/plan.h"
 #include "server/scene/camera_space.h"
-#include "tests/server/render/test_scene.h"
+#include "tests/server/test_scene.h"
 
 namespace metamer::gl {
 namespace {

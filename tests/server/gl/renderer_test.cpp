@@ -8,7 +8,7 @@
 #include <map>
 
 #include "tests/server/gl/pictures.h"
-#include "tests/server/render/methods/methods.h"
+#include "tests/server/methods/methods.h"
 
 namespace metamer::gl {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "server/plan/plan.h"
-#include "tests/server/render/test_scene.h"
+#include "tests/server/test_scene.h"
 
 namespace metamer {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "tests/server/render/test_scene.h"
+#include "tests/server/test_scene.h"
 
 namespace metamer {
 namespace {

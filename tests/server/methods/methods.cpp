@@ -1,4 +1,4 @@
-#include "tests/server/render/methods/methods.h"
+#include "tests/server/methods/methods.h"
 
 namespace metamer::test {
 

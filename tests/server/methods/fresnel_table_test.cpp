@@ -6,7 +6,7 @@
 #include "common/models/reference.h"
 #include "common/spectral/optical_constants.h"
 #include "server/methods/method.h"
-#include "tests/server/render/test_scene.h"
+#include "tests/server/test_scene.h"
 
 namespace metamer {
 namespace {

@@ -7,8 +7,8 @@
 #include "common/color/xyz.h"
 #include "server/methods/exact.h"
 #include "server/plan/plan.h"
-#include "tests/server/render/methods/methods.h"
-#include "tests/server/render/test_scene.h"
+#include "tests/server/methods/methods.h"
+#include "tests/server/test_scene.h"
 
 namespace metamer::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/scene/settings.h"
-#include "tests/server/render/test_scene.h"
+#include "tests/server/test_scene.h"
 
 namespace metamer {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "server/methods/scene_rows.h"
-#include "tests/server/render/methods/methods.h"
-#include "tests/server/render/test_scene.h"
+#include "tests/server/methods/methods.h"
+#include "tests/server/test_scene.h"
 
 #include "common/scene/settings.h"
 #include "server/plan/plan.h"

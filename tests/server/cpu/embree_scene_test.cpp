@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/server/render/test_scene.h"
+#include "tests/server/test_scene.h"
 
 namespace metamer::cpu {
 namespace {

@@ -10,8 +10,8 @@
 #include "common/color/xyz.h"
 #include "common/spectral/cie.h"
 #include "server/methods/linear_basis.h"
-#include "tests/server/render/methods/color_error.h"
-#include "tests/server/render/methods/methods.h"
+#include "tests/server/methods/color_error.h"
+#include "tests/server/methods/methods.h"
 
 namespace metamer {
 namespace {

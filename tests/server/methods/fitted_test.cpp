@@ -4,8 +4,8 @@
 
 #include "server/methods/training_set.h"
 #include "server/plan/plan.h"
-#include "tests/server/render/methods/methods.h"
-#include "tests/server/render/test_scene.h"
+#include "tests/server/methods/methods.h"
+#include "tests/server/test_scene.h"
 
 namespace metamer::test {
 namespace {

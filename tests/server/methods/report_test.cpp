@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "tests/server/render/methods/color_error.h"
-#include "tests/server/render/methods/methods.h"
+#include "tests/server/methods/color_error.h"
+#include "tests/server/methods/methods.h"
 
 namespace metamer::test {
 namespace {
@@ -49,7 +49,7 @@ std::string report() {
       "rendering index (direct) and over the 120\nthat they have in mirrors of each other's "
       "colours "
       "(bounce), against f64 sums at every nm from 360 to 830.\nWritten by a test "
-      "(`tests/server/render/methods/report_test.cpp`).\n\n| method |";
+      "(`tests/server/methods/report_test.cpp`).\n\n| method |";
   std::string rule = "|---|";
   for (const char* kind : {"direct", "bounce"})
     for (const std::string& illuminant : illuminants) {

@@ -1,4 +1,4 @@
-#include "tests/server/render/methods/color_error.h"
+#include "tests/server/methods/color_error.h"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 #include "common/spectral/cie.h"
 #include "server/methods/exact.h"
 #include "server/plan/plan.h"
-#include "tests/server/render/test_scene.h"
+#include "tests/server/test_scene.h"
 
 namespace metamer::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/server/render/test_scene.h"
+#include "tests/server/test_scene.h"
 
 #include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>

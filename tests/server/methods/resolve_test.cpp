@@ -6,7 +6,7 @@
 #include "common/color/xyz.h"
 #include "common/spectral/cie.h"
 #include "server/methods/method.h"
-#include "tests/server/render/test_scene.h"
+#include "tests/server/test_scene.h"
 
 namespace metamer {
 namespace {

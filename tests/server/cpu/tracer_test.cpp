@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/server/render/test_scene.h"
+#include "tests/server/test_scene.h"
 
 namespace metamer {
 namespace {
