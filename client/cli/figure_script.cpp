@@ -1,16 +1,23 @@
 // How a figure looks. gnuplot's own polar mode draws full discs and labels them badly, so polar
 // panels are drawn by hand: the values relative to the outermost ring, which has radius 1.
+#include "client/cli/figure_script.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <sstream>
 
-#include "client/cli/figure.h"
 #include "client/cli/gnuplot.h"
 #include "common/problem.h"
 
 namespace metamer::cli {
 namespace {
+
+using client::Curve;
+using client::Figure;
+using client::Panel;
+using client::radians;
+using client::Scale;
 
 // Pixels.
 constexpr double panel_width = 660, polar_height = 430, straight_height = 460;
@@ -205,7 +212,7 @@ std::string gnuplot_script(const Figure& figure) {
     frame.left = panel_width * static_cast<double>(p % columns);
     frame.height = height_of(panel);
     if (p % columns == 0) frame.bottom -= frame.height;
-    const Scale scale = scale_of(figure, panel.polar);
+    const Scale scale = client::scale_of(figure, panel.polar);
     script += panel.polar ? polar_panel(panel, scale, frame) : straight_panel(panel, scale, frame);
     script += plot_command(panel, scale) + "unset label\nunset arrow\nunset object\n";
   }

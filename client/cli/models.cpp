@@ -2,17 +2,20 @@
 #include <algorithm>
 #include <cstring>
 
-#include "client/cli/catalogue.h"
 #include "client/cli/commands.h"
 #include "client/cli/models_text.h"
 #include "client/cli/report.h"
+#include "client/tools/figures/catalogue.h"
 
 namespace metamer::cli {
 namespace {
 
+using client::CatalogueItem;
+using client::TraitWords;
+
 Json item_json(const CatalogueItem& item) {
   Json traits = Json::array(), parameters = Json::array();
-  for (const TraitWords& trait : traits_of(item)) traits.push_back(trait.word);
+  for (const TraitWords& trait : client::traits_of(item)) traits.push_back(trait.word);
   for (const models::Parameter& one : item.parameters)
     parameters.push_back({{"name", one.name},
                           {"default", one.default_value},
@@ -75,13 +78,14 @@ std::string show_text(const CatalogueItem& item) {
   std::string text = std::string(item.name) + ": " + item.kind + "\n";
   text += "  " + std::string(item.symbol) + " = " + item.equation + "\n";
   text += "  " + std::string(item.citation) + "\n";
-  for (const TraitWords& trait : traits_of(item)) text += "  " + std::string(trait.sentence) + "\n";
+  for (const TraitWords& trait : client::traits_of(item))
+    text += "  " + std::string(trait.sentence) + "\n";
   return item.parameters.empty() ? text : text + "\n" + parameter_table(item.parameters);
 }
 
 ExitCode list_models(const ModelsOptions& options) {
   Report report(options.json);
-  const std::vector<CatalogueItem> items = catalogue();
+  const std::vector<CatalogueItem> items = client::catalogue();
   for (const CatalogueItem& item : items) report.document()["models"].push_back(item_json(item));
   std::string text = list_text(items);
   text.pop_back();
@@ -91,7 +95,7 @@ ExitCode list_models(const ModelsOptions& options) {
 
 ExitCode show_model(const ShowModelOptions& options) {
   Report report(options.json);
-  const auto items = find_items(options.name);
+  const auto items = client::find_items(options.name);
   if (!items) {
     report.error(items.error().message);
     return report.finish(ExitCode::bad_input);

@@ -2,22 +2,25 @@
 #include <filesystem>
 
 #include "client/cli/commands.h"
-#include "client/cli/curves.h"
+#include "client/cli/figure_script.h"
 #include "client/cli/gnuplot.h"
 #include "client/cli/report.h"
-#include "client/cli/source_figures.h"
+#include "client/tools/figures/curves.h"
+#include "client/tools/figures/source_figures.h"
 
 namespace metamer::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using client::CatalogueItem;
+using client::Figure;
 
 /// What the command line asks for.
 Result<std::vector<Figure>> chosen_figures(const PlotOptions& options) {
   if (options.figures) {
     if (!options.names.empty() || !options.set.empty())
       return problem("--figures takes neither names nor --set");
-    return source_figures();
+    return client::source_figures();
   }
   if (options.names.empty())
     return problem(
@@ -25,14 +28,14 @@ Result<std::vector<Figure>> chosen_figures(const PlotOptions& options) {
 
   std::vector<CatalogueItem> items;
   for (const std::string& name : options.names) {
-    const auto found = find_items(name);
+    const auto found = client::find_items(name);
     if (!found) return tl::unexpected(found.error());
     items.insert(items.end(), found->begin(), found->end());
   }
-  const auto values = parse_values(options.set, items);
-  if (!values) return tl::unexpected(values.error());
+  const auto values = client::parse_values(options.set, items);
+  if (!values) return problem("--set: " + values.error().message);
   std::vector<Figure> figures;
-  for (const CatalogueItem& item : items) figures.push_back(figure_of(item, *values));
+  for (const CatalogueItem& item : items) figures.push_back(client::figure_of(item, *values));
   return figures;
 }
 
@@ -67,7 +70,7 @@ ExitCode plot_models(const PlotOptions& options) {
   };
   for (const Figure& figure : *figures) {
     const fs::path file = folder / (figure.name + ".csv");
-    keep(file, write_text_file(file, csv_text(figure)));
+    keep(file, write_text_file(file, client::csv_text(figure)));
   }
   for (const Figure& figure : *figures) {
     const fs::path file = folder / (figure.name + ".png");

@@ -3,15 +3,15 @@
 #include <string>
 #include <vector>
 
-#include "client/cli/catalogue.h"
+#include "client/tools/figures/catalogue.h"
 
 /// How people read the catalogue. Each text ends with a line break.
 namespace metamer::cli {
 
 /// The kinds, and under each a line an item: name and citation.
-std::string list_text(const std::vector<CatalogueItem>& items);
+std::string list_text(const std::vector<client::CatalogueItem>& items);
 
 /// Equation, paper, traits and parameters.
-std::string show_text(const CatalogueItem& item);
+std::string show_text(const client::CatalogueItem& item);
 
 }  // namespace metamer::cli

@@ -4,13 +4,15 @@
 #include <optional>
 
 #include "client/cli/compare_json.h"
-#include "client/cli/figure.h"
 #include "client/cli/print.h"
 #include "client/cli/tradeoff.h"
+#include "client/tools/csv.h"
 #include "common/problem.h"
 
 namespace metamer::cli {
 namespace {
+
+using client::csv_field;
 
 /// Seconds that the naive rgb took; nothing where it failed.
 std::optional<double> rgb_seconds(const Tradeoff& tradeoff) {

@@ -1,17 +1,12 @@
-#include "client/cli/figure.h"
+#include "client/tools/figures/figure.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "client/tools/csv.h"
 #include "common/problem.h"
 
-namespace metamer::cli {
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
+namespace metamer::client {
 
 std::string csv_text(const Figure& figure) {
   std::string text = "panel,curve,degrees,value\n";
@@ -43,4 +38,4 @@ Scale scale_of(const Figure& figure, bool polar) {
   return {step * std::ceil(most / step * (1 - 1e-9)), step};
 }
 
-}  // namespace metamer::cli
+}  // namespace metamer::client

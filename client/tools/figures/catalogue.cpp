@@ -1,9 +1,9 @@
-#include "client/cli/catalogue.h"
+#include "client/tools/figures/catalogue.h"
 
 #include <array>
 #include <cstring>
 
-namespace metamer::cli {
+namespace metamer::client {
 namespace {
 
 using models::Kind;
@@ -69,4 +69,4 @@ std::vector<TraitWords> traits_of(const CatalogueItem& item) {
   return found;
 }
 
-}  // namespace metamer::cli
+}  // namespace metamer::client

@@ -2,11 +2,11 @@
 #include <charconv>
 #include <cmath>
 
-#include "client/cli/curves.h"
+#include "client/tools/figures/curves.h"
 #include "common/models/reference.h"
 #include "common/spectral/optical_constants.h"
 
-namespace metamer::cli {
+namespace metamer::client {
 namespace {
 
 using models::Parameter;
@@ -187,12 +187,12 @@ Result<Values> parse_values(const std::vector<std::string>& words,
     // Take the word apart.
     const std::size_t equals = word.find('=');
     if (equals == std::string::npos)
-      return problem("--set: " + quoted(word) + " is not PARAMETER=VALUE, such as shininess=120");
+      return problem(quoted(word) + " is not PARAMETER=VALUE, such as shininess=120");
     const std::string name = word.substr(0, equals), number = word.substr(equals + 1);
     double value = 0;
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
     if (error != std::errc{} || end != number.data() + number.size() || !std::isfinite(value))
-      return problem("--set: " + name + ": " + quoted(number) + " is not a number");
+      return problem(name + ": " + quoted(number) + " is not a number");
 
     // Every item that has the parameter must be able to take the value.
     std::vector<std::string> known;
@@ -204,12 +204,12 @@ Result<Values> parse_values(const std::vector<std::string>& words,
         found = true;
         if (value >= one.min && value <= one.max) continue;
         const double nearest = value < one.min ? one.min : one.max;
-        return problem("--set: " + name + " of " + item.name + " must lie in " +
-                       number_text(one.min) + ".." + number_text(one.max) + "; the nearest to " +
-                       number_text(value) + " is " + number_text(nearest));
+        return problem(name + " of " + item.name + " must lie in " + number_text(one.min) + ".." +
+                       number_text(one.max) + "; the nearest to " + number_text(value) + " is " +
+                       number_text(nearest));
       }
     if (!found)
-      return problem("--set: nothing that is drawn has a parameter " + quoted(name) +
+      return problem("nothing that is drawn has a parameter " + quoted(name) +
                      did_you_mean(name, known));
     values[name] = value;
   }
@@ -243,4 +243,4 @@ Figure figure_of(const CatalogueItem& item, const Values& values) {
   return figure;
 }
 
-}  // namespace metamer::cli
+}  // namespace metamer::client

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "client/cli/catalogue.h"
-#include "client/cli/figure.h"
+#include "client/tools/figures/catalogue.h"
+#include "client/tools/figures/figure.h"
 
 /// The diagrams of one line of the catalogue. All values are those of the f64 reference.
-namespace metamer::cli {
+namespace metamer::client {
 
 /// Values of parameters by name, in place of what a diagram would choose by itself.
 using Values = std::map<std::string, double>;
@@ -18,7 +18,7 @@ using Values = std::map<std::string, double>;
 /// has these; the light's incidence where a light comes in.
 std::vector<models::Parameter> plot_parameters(const CatalogueItem& item);
 
-/// `--set` as written, "shininess=120", against the parameters of what is drawn. Errors: no such
+/// Values as written, "shininess=120", against the parameters of what is drawn. Errors: no such
 /// form, a parameter that none of the items has, no number, out of range.
 Result<Values> parse_values(const std::vector<std::string>& words,
                             const std::vector<CatalogueItem>& items);
@@ -52,4 +52,4 @@ std::string incidence_label(double incidence);
 /// "σ = 0.3"
 std::string value_label(const char* symbol, double value);
 
-}  // namespace metamer::cli
+}  // namespace metamer::client

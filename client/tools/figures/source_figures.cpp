@@ -1,13 +1,13 @@
 // The diagrams of the source's chapter 2.2. Captions give s, d, exponents and roughnesses; they
 // leave open where the light of the polar diagrams comes from. Here it comes from 0°, 30° and 60°.
-#include "client/cli/source_figures.h"
+#include "client/tools/figures/source_figures.h"
 
 #include <cmath>
 
-#include "client/cli/curves.h"
+#include "client/tools/figures/curves.h"
 #include "common/models/reference.h"
 
-namespace metamer::cli {
+namespace metamer::client {
 namespace {
 
 using models::Model;
@@ -229,4 +229,4 @@ std::vector<Figure> source_figures() {
           fig_2_8(), fig_2_9(), fig_2_10(), fig_2_11()};
 }
 
-}  // namespace metamer::cli
+}  // namespace metamer::client

@@ -9,7 +9,7 @@
 #include "common/models/registry.h"
 #include "common/problem.h"
 
-namespace metamer::cli {
+namespace metamer::client {
 
 /// What `metamer models` lists: a line of models.def, or a form of the Fresnel term.
 struct CatalogueItem {
@@ -41,4 +41,4 @@ struct TraitWords {
 };
 std::vector<TraitWords> traits_of(const CatalogueItem& item);
 
-}  // namespace metamer::cli
+}  // namespace metamer::client

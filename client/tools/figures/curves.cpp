@@ -1,11 +1,11 @@
-#include "client/cli/curves.h"
+#include "client/tools/figures/curves.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "common/models/reference.h"
 
-namespace metamer::cli {
+namespace metamer::client {
 namespace {
 
 constexpr double step = 0.5;  ///< Degrees between the samples of a curve.
@@ -89,4 +89,4 @@ std::string value_label(const char* symbol, double value) {
   return std::string(symbol) + " = " + number_text(value);
 }
 
-}  // namespace metamer::cli
+}  // namespace metamer::client

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace metamer::cli {
+namespace metamer::client {
 
 inline double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
@@ -34,15 +34,9 @@ struct Figure {
   std::vector<Panel> panels;
 };
 
-/// A field of a table (RFC 4180): quoted where it has to be.
-std::string csv_field(const std::string& text);
-
 /// The table behind a figure: a line a point, `panel,curve,degrees,value` (RFC 4180, UTF-8). The
 /// numbers read back as the same doubles.
 std::string csv_text(const Figure& figure);
-
-/// The program that makes gnuplot write the figure as a PNG on its stdout. It names no file.
-std::string gnuplot_script(const Figure& figure);
 
 /// A value at or above every curve's, and a step into which it divides: the scale of the panels of
 /// that shape.
@@ -51,4 +45,4 @@ struct Scale {
 };
 Scale scale_of(const Figure& figure, bool polar);
 
-}  // namespace metamer::cli
+}  // namespace metamer::client
