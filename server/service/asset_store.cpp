@@ -52,13 +52,13 @@ std::pair<Digest, std::uint64_t> digest_of_file(const fs::path& path) {
 AssetStore::AssetStore(fs::path folder, std::uint64_t quota)
     : folder_(std::move(folder)), quota_(quota) {}
 
-Result<std::unique_ptr<AssetStore>> AssetStore::open(fs::path folder, std::uint64_t quota) {
+Result<std::shared_ptr<AssetStore>> AssetStore::open(fs::path folder, std::uint64_t quota) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) {
     return problem("can't make the store's folder " + folder.string() + ": " + error.message());
   }
-  auto store = std::unique_ptr<AssetStore>(new AssetStore(std::move(folder), quota));
+  auto store = std::shared_ptr<AssetStore>(new AssetStore(std::move(folder), quota));
   if (auto scanned = store->scan(); !scanned) return tl::unexpected(scanned.error());
   return store;
 }
@@ -95,15 +95,15 @@ Result<void> AssetStore::scan() {
 
 void AssetStore::insert(const Digest& digest, std::uint64_t size) {
   assert(!has(digest));
-  const auto place = by_use_.insert(by_use_.end(), digest);
-  assets_.emplace(digest, Asset{size, 0, place});
+  const auto use = by_use_.insert(by_use_.end(), digest);
+  assets_.emplace(digest, Asset{size, 0, use});
 }
 
 bool AssetStore::hold(const Digest& digest) {
   const auto found = assets_.find(digest);
   if (found == assets_.end()) return false;
   ++found->second.holds;
-  by_use_.splice(by_use_.end(), by_use_, found->second.place);
+  by_use_.splice(by_use_.end(), by_use_, found->second.use);
   return true;
 }
 
@@ -139,7 +139,7 @@ void AssetStore::evict(const Digest& digest) {
   std::error_code ignored;
   fs::remove(file(digest), ignored);
   bytes_ -= found->second.size;
-  by_use_.erase(found->second.place);
+  by_use_.erase(found->second.use);
   assets_.erase(found);
 }
 

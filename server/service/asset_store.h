@@ -16,13 +16,14 @@
 namespace metamer::service {
 
 /// A folder of assets, each a file that is named by the hex of its digest. It holds at most `quota`
-/// bytes: the assets that were not used for longest go first, but never one that is held.
-class AssetStore {
+/// bytes: the assets that were not used for longest go first, but never one that is held. Whoever
+/// holds an asset keeps the store too.
+class AssetStore : public std::enable_shared_from_this<AssetStore> {
  public:
   /// Opens or makes the folder. Left-overs of broken uploads are removed, and so is every file
   /// whose bytes do not have the digest that it is named by (a disk that filled up, a power cut):
   /// that reads the whole store once. Errors: a folder that can't be made, read or written.
-  static Result<std::unique_ptr<AssetStore>> open(std::filesystem::path folder,
+  static Result<std::shared_ptr<AssetStore>> open(std::filesystem::path folder,
                                                   std::uint64_t quota);
 
   AssetStore(const AssetStore&) = delete;
@@ -40,7 +41,7 @@ class AssetStore {
   struct Asset {
     std::uint64_t size = 0;
     std::uint64_t holds = 0;
-    std::list<Digest>::iterator place;  // in by_use_
+    std::list<Digest>::iterator use;  // in by_use_
   };
 
   AssetStore(std::filesystem::path folder, std::uint64_t quota);
@@ -62,11 +63,10 @@ class AssetStore {
   std::list<Digest> by_use_;  // the one unused for longest first
 };
 
-/// The assets that a job or a session needs: they stay in the store as long as this lives. The
-/// store must outlive it.
+/// The assets that a job or a session needs: they stay in the store as long as this lives.
 class AssetHolds {
  public:
-  explicit AssetHolds(AssetStore& store) : store_(&store) {}
+  explicit AssetHolds(AssetStore& store) : store_(store.shared_from_this()) {}
   ~AssetHolds() { clear(); }
   AssetHolds(AssetHolds&& other) noexcept
       : store_(other.store_), held_(std::exchange(other.held_, {})) {}
@@ -78,7 +78,7 @@ class AssetHolds {
   std::size_t size() const { return held_.size(); }
 
  private:
-  AssetStore* store_;
+  std::shared_ptr<AssetStore> store_;
   std::set<Digest> held_;
 };
 
@@ -106,7 +106,7 @@ class AssetUpload {
  private:
   AssetUpload(AssetStore& store, const Digest& digest, std::uint64_t size);
 
-  AssetStore* store_;
+  std::shared_ptr<AssetStore> store_;
   Digest digest_;
   std::uint64_t size_ = 0;
   std::uint64_t received_ = 0;

@@ -14,7 +14,7 @@ namespace metamer::service {
 namespace fs = std::filesystem;
 
 AssetUpload::AssetUpload(AssetStore& store, const Digest& digest, std::uint64_t size)
-    : store_(&store),
+    : store_(store.shared_from_this()),
       digest_(digest),
       size_(size),
       temporary_(store.folder() / ("upload-" + std::to_string(++store.uploads_))) {}

@@ -301,19 +301,19 @@ void Job::append_last(v1::JobEvent event) {
 }
 
 void Job::wake() {
-  for (const auto& watcher : watchers_) watcher();
+  for (const auto& wake : wakes_) wake();
 }
 
-Job::Watcher::Watcher(Job& job, bool previews, std::function<void()> wake)
-    : job_(job),
+Job::Watcher::Watcher(std::shared_ptr<Job> job, bool previews, std::function<void()> wake)
+    : job_(std::move(job)),
       previews_(previews),
-      place_(job.watchers_.insert(job.watchers_.end(), std::move(wake))) {
-  if (previews_) ++job_.preview_watchers_;
+      wake_(job_->wakes_.insert(job_->wakes_.end(), std::move(wake))) {
+  if (previews_) ++job_->preview_watchers_;
 }
 
 Job::Watcher::~Watcher() {
-  if (previews_) --job_.preview_watchers_;
-  job_.watchers_.erase(place_);
+  if (previews_) --job_->preview_watchers_;
+  job_->wakes_.erase(wake_);
 }
 
 }  // namespace metamer::service

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <list>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -85,18 +86,21 @@ class Job {
   const EventLog& log() const { return log_; }
   v1::JobEvent event(const EventLog::Entry& entry, bool factors) const;
 
-  /// Calls `wake` after every event for as long as the handle lives, which must not be longer than
-  /// the job. Previews are made only while somebody wants them.
+  /// Keeps a job and calls `wake` after each of its events, in the middle of the step: that may
+  /// schedule work, but neither change the job nor end a watcher. Previews are made only while
+  /// somebody wants them.
   class Watcher {
    public:
-    Watcher(Job& job, bool previews, std::function<void()> wake);
+    Watcher(std::shared_ptr<Job> job, bool previews, std::function<void()> wake);
     ~Watcher();
     Watcher(Watcher&&) = delete;
 
+    const Job& job() const { return *job_; }
+
    private:
-    Job& job_;
+    std::shared_ptr<Job> job_;
     bool previews_;
-    std::list<std::function<void()>>::iterator place_;
+    std::list<std::function<void()>>::iterator wake_;  // in job_->wakes_
   };
 
  private:
@@ -114,7 +118,7 @@ class Job {
   AssetHolds assets_;
   v1::JobState state_ = v1::QUEUED;
   EventLog log_;
-  std::list<std::function<void()>> watchers_;
+  std::list<std::function<void()>> wakes_;  // of the watchers
   std::size_t preview_watchers_ = 0;
 
   std::uint32_t losses_ = 0;  // workers lost

@@ -60,11 +60,12 @@ void Listener::admit(wire::Socket socket, House& house) {
   // Even those who are told so are counted: the next ones find a closed door.
   if (full && turned_away_.size() >= max_sessions) return;
   auto& list = full ? turned_away_ : sessions_;
-  const auto place = list.emplace(list.end());
-  *place =
-      std::make_shared<Session>(std::move(socket), house, [&list, place] { list.erase(place); });
-  if (!full) return (*place)->start();
-  (*place)->turn_away(
+  const auto remove = [&list](const Session& gone) {
+    std::erase_if(list, [&](const auto& session) { return session.get() == &gone; });
+  };
+  list.push_back(std::make_shared<Session>(std::move(socket), house, remove));
+  if (!full) return list.back()->start();
+  list.back()->turn_away(
       {v1::Error::LIMIT,
        fmt::format("the server has its {} sessions; try again later", max_sessions)});
 }

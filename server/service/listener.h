@@ -33,8 +33,8 @@ class Listener {
 
   asio::any_io_executor executor_;
   std::list<wire::Acceptor> acceptors_;
-  std::list<std::shared_ptr<Session>> sessions_;
-  std::list<std::shared_ptr<Session>> turned_away_;
+  std::vector<std::shared_ptr<Session>> sessions_;
+  std::vector<std::shared_ptr<Session>> turned_away_;
   bool stopped_ = false;
 };
 

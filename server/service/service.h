@@ -38,7 +38,7 @@ class Service {
  private:
   asio::io_context& context_;
   ServiceOptions options_;
-  std::unique_ptr<AssetStore> store_;
+  std::shared_ptr<AssetStore> store_;
   JobQueue queue_;
   Views views_;
   Supervisor cpu_, gl_;

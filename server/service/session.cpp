@@ -19,7 +19,7 @@ v1::Envelope error_envelope(v1::Error::Code code, const std::string& message) {
 
 }  // namespace
 
-Session::Session(wire::Socket socket, House& house, std::function<void()> gone)
+Session::Session(wire::Socket socket, House& house, Gone gone)
     : channel_(std::move(socket), wire::Peer::client),
       house_(house),
       gone_(std::move(gone)),
@@ -67,7 +67,7 @@ void Session::run(asio::awaitable<void> loop) {
                    self->watches_.clear();
                    self->views_.clear();
                    self->close();
-                   self->gone_();
+                   self->gone_(*self);
                  });
 }
 
@@ -134,7 +134,6 @@ std::optional<v1::Envelope> Session::next_to_send() {
 /// Its client has had its last event, or is gone: then the worker has not heard of it yet.
 void Session::close_view(View& view) {
   if (!view.ended()) house_.worker_of(view.backend()).tell(view.closing());
-  house_.views.remove(view);
 }
 
 asio::awaitable<void> Session::write_answers() {

@@ -17,7 +17,8 @@ namespace metamer::service {
 class Session : public std::enable_shared_from_this<Session> {
  public:
   /// `gone` is called once, when the session has ended.
-  Session(wire::Socket socket, House& house, std::function<void()> gone);
+  using Gone = std::function<void(const Session&)>;
+  Session(wire::Socket socket, House& house, Gone gone);
 
   void start();
   /// Sends one Error and ends.
@@ -36,7 +37,7 @@ class Session : public std::enable_shared_from_this<Session> {
 
   wire::Channel channel_;
   House& house_;
-  std::function<void()> gone_;
+  Gone gone_;
   Watches watches_;
   ViewStreams views_;
   Dispatch dispatch_;

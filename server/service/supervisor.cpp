@@ -93,7 +93,8 @@ void Supervisor::on_exit(const std::string& reason) {
       std::min(last_backoff, first_backoff * (1u << std::min(failed_starts_ - 1, 6u)));
   restart_.expires_after(wait);
   restart_.async_wait([this](boost::system::error_code cancelled) {
-    if (!cancelled) start_worker();
+    // It may have run out just before it was cancelled.
+    if (!cancelled && state_ == State::down) start_worker();
   });
 }
 

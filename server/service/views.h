@@ -10,13 +10,13 @@ namespace metamer::service {
 
 using ViewPtr = std::shared_ptr<View>;
 
-/// All views that are open, of all clients.
+/// All views that are open, of all clients. Each belongs to its client's session (ViewStreams),
+/// since it wakes that: here one that is gone is no longer found.
 class Views {
  public:
   /// Refused (LIMIT): as many are open as there may be.
   tl::expected<ViewPtr, Refusal> open(v1::OpenView open, AssetHolds assets,
                                       std::function<void()> wake);
-  void remove(const View& view) { views_.erase(view.id()); }
 
   std::vector<ViewPtr> of(v1::Backend backend) const;
   /// Gives the view that a worker speaks of; null: it is closed, and the worker has not heard.
@@ -26,7 +26,7 @@ class Views {
 
  private:
   std::uint64_t last_id_ = 0;
-  std::map<std::uint64_t, ViewPtr> views_;
+  std::map<std::uint64_t, std::weak_ptr<View>> views_;
 };
 
 }  // namespace metamer::service

@@ -7,11 +7,10 @@ namespace metamer::service {
 void Watches::add(std::uint64_t request_id, const v1::Watch& request, const JobQueue::JobPtr& job) {
   Watch watch;
   watch.request_id = request_id;
-  watch.job = job;
+  watch.watcher = std::make_unique<Job::Watcher>(job, request.previews(), wake_);
   watch.from = std::max<std::uint64_t>(request.from_sequence(), 1);
   watch.factors = request.factors();
   watch.filter = {request.tiles(), request.previews()};
-  watch.watcher = std::make_unique<Job::Watcher>(*job, request.previews(), wake_);
   watches_.push_back(std::move(watch));
 }
 
@@ -19,13 +18,14 @@ std::optional<v1::Envelope> Watches::next() {
   for (std::size_t asked = 0; asked < watches_.size(); ++asked) {
     turn_ = (turn_ + 1) % watches_.size();
     Watch& watch = watches_[turn_];
-    const EventLog& log = watch.job->log();
+    const Job& job = watch.watcher->job();
+    const EventLog& log = job.log();
     const auto entry = log.next(watch.from, watch.filter);
     if (!entry) continue;
 
     v1::Envelope envelope;
     envelope.set_request_id(watch.request_id);
-    *envelope.mutable_job_event() = watch.job->event(*entry, watch.factors);
+    *envelope.mutable_job_event() = job.event(*entry, watch.factors);
     watch.from = entry->sequence + 1;
     if (log.ended() && entry->sequence == log.last_sequence()) {
       watches_.erase(watches_.begin() + static_cast<std::ptrdiff_t>(turn_));

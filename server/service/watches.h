@@ -29,11 +29,10 @@ class Watches {
  private:
   struct Watch {
     std::uint64_t request_id = 0;
-    JobQueue::JobPtr job;
+    std::unique_ptr<Job::Watcher> watcher;
     std::uint64_t from = 1;
     EventLog::Filter filter;
     bool factors = false;
-    std::unique_ptr<Job::Watcher> watcher;  // before `job` in destruction
   };
 
   std::function<void()> wake_;

@@ -34,8 +34,8 @@ class ViewScene {
   void cancel_import() { import_->cancel(); }
   /// Once it is imported: what to adopt(), or what is wrong; the scene is as before.
   tl::expected<ImportedScene, Problems> end_import();
-  /// The scene before ends.
-  void adopt(ImportedScene imported) { now_ = std::move(imported); }
+  /// The scene before ends as a whole, its geometry before what that refers to.
+  void adopt(ImportedScene imported) { std::swap(now_, imported); }
 
   const v1::Settings& settings() const { return now_.message.settings(); }
   const RenderScene& scene() const { return *now_.scene; }

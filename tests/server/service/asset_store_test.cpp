@@ -30,7 +30,7 @@ class AssetStoreTest : public testing::Test {
   }
 
   TemporaryFolder folder_ = TemporaryFolder::make().value();
-  std::unique_ptr<AssetStore> store_;
+  std::shared_ptr<AssetStore> store_;
 };
 
 std::string text(char c, std::size_t size) { return std::string(size, c); }

@@ -15,7 +15,7 @@ namespace {
 class JobTest : public testing::Test {
  protected:
   TemporaryFolder folder_ = TemporaryFolder::make().value();
-  std::unique_ptr<AssetStore> store_ = AssetStore::open(folder_.path() / "store", 1000).value();
+  std::shared_ptr<AssetStore> store_ = AssetStore::open(folder_.path() / "store", 1000).value();
 
   static v1::Plan plan(std::uint32_t width, std::uint32_t height, std::uint32_t tile) {
     v1::Plan plan;
@@ -185,7 +185,7 @@ TEST_F(JobTest, PreviewsAreMadeOnlyWhileSomebodyWantsThem) {
   EXPECT_EQ(read(*job, {.previews = true}).back().preview().rgb().size(), 0u);
   int woken = 0;
   {
-    const Job::Watcher watcher(*job, true, [&] { ++woken; });
+    const Job::Watcher watcher(job, true, [&] { ++woken; });
     job->add_tile(1, 1);
   }
   EXPECT_EQ(woken, 1);

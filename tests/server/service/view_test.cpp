@@ -60,7 +60,7 @@ class ViewTest : public testing::Test {
   }
 
   TemporaryFolder folder_ = TemporaryFolder::make().value();
-  std::unique_ptr<AssetStore> store_ = AssetStore::open(folder_.path() / "store", 1000).value();
+  std::shared_ptr<AssetStore> store_ = AssetStore::open(folder_.path() / "store", 1000).value();
   int woken_ = 0;
   View view_{7, {}, AssetHolds(*store_), [this] { ++woken_; }};
 };
