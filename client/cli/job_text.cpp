@@ -68,7 +68,7 @@ const char* word(v1::JobState state) {
 
 std::string describe(const v1::JobSummary& job) {
   std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), "%5llu  %-9s  %11s  %8s  ",
+  std::snprintf(text.data(), text.size(), "%16llu  %-9s  %11s  %8s  ",
                 static_cast<unsigned long long>(job.job_id()), word(job.state()),
                 job.tiles() > 0 ? tiles(job.tiles_done(), job.tiles()).c_str() : "-",
                 clock(job.age()).c_str());

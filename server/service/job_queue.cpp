@@ -16,13 +16,19 @@ tl::unexpected<Refusal> wrong_state(const Job& job, const char* request) {
 
 }  // namespace
 
+std::uint64_t clock_job_id(std::chrono::system_clock::time_point now) {
+  using std::chrono::microseconds;
+  const auto since_1970 = std::chrono::duration_cast<microseconds>(now.time_since_epoch());
+  return static_cast<std::uint64_t>(since_1970.count()) % (std::uint64_t{1} << 52) + 1;
+}
+
 tl::expected<JobQueue::JobPtr, Refusal> JobQueue::submit(v1::Submit submit, AssetHolds assets) {
   if (jobs_.size() - ended_.size() >= max_live_jobs) {
     return refuse(v1::Error::LIMIT,
                   "the queue is full: " + std::to_string(max_live_jobs) + " jobs have not ended");
   }
   auto job =
-      std::make_shared<Job>(++last_id_, std::move(submit), std::move(assets), queued() + running());
+      std::make_shared<Job>(next_id_++, std::move(submit), std::move(assets), queued() + running());
   jobs_.emplace(job->id(), job);
   line_.push_back(job);
   return job;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -11,13 +12,22 @@
 
 namespace metamer::service {
 
+/// A number for the first job of a daemon that starts at `now`: the microseconds since 1970,
+/// so that numbers do not come again after a restart. They would if jobs had come faster than one a
+/// microsecond, or if the clock were set back to within a few microseconds of an earlier start: as
+/// many as that daemon had jobs. Modulo 2^52, which is reached in 2112; JSON's readers keep
+/// integers up to 2^53.
+std::uint64_t clock_job_id(std::chrono::system_clock::time_point now);
+
 /// All jobs, and the order in which the queued ones run: first come, first served. Ended jobs stay
 /// until their number or the bytes of their films are over the bounds, oldest ended first.
 class JobQueue {
  public:
   using JobPtr = std::shared_ptr<Job>;
 
-  explicit JobQueue(std::uint64_t keep_bytes) : keep_bytes_(keep_bytes) {}
+  /// Jobs are numbered from `first_id` on.
+  JobQueue(std::uint64_t keep_bytes, std::uint64_t first_id)
+      : keep_bytes_(keep_bytes), next_id_(first_id) {}
 
   /// Queues a job. Refused (LIMIT) while max_live_jobs have not ended.
   tl::expected<JobPtr, Refusal> submit(v1::Submit submit, AssetHolds assets);
@@ -46,7 +56,7 @@ class JobQueue {
   std::uint64_t paused_bytes() const;
 
   std::uint64_t keep_bytes_;
-  std::uint64_t last_id_ = 0;
+  std::uint64_t next_id_;
   std::map<std::uint64_t, JobPtr> jobs_;
   std::deque<JobPtr> line_;
   std::deque<std::uint64_t> ended_;  // oldest ended first

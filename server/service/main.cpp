@@ -27,6 +27,7 @@ struct CommandLine {
   std::string log_level = "info";
   std::uint64_t store_bytes = 8ull << 30;
   std::uint64_t keep_bytes = 1ull << 30;
+  std::optional<std::uint64_t> first_job;
   std::uint32_t threads = 0;
   double worker_timeout = 5;
   double stall_timeout = 120;
@@ -48,6 +49,10 @@ void describe(CLI::App& app, CommandLine& line) {
   app.add_option("--keep-bytes", line.keep_bytes, "pictures of ended and of paused jobs to keep")
       ->transform(CLI::AsSizeValue(false))
       ->capture_default_str();
+  app.add_option("--first-job", line.first_job,
+                 "the first job's number. Default: by the clock, so that none comes again after "
+                 "a restart")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 52));
   app.add_option("--threads", line.threads, "of a worker; 0: as many as the machine has")
       ->check(CLI::Range(0u, 256u))
       ->capture_default_str();
@@ -142,6 +147,7 @@ int run(const CommandLine& line) {
   }
   options.store_bytes = line.store_bytes;
   options.keep_bytes = line.keep_bytes;
+  if (line.first_job) options.first_job_id = *line.first_job;
   options.worker.command.program =
       line.worker.empty() ? service::default_worker() : std::filesystem::path(line.worker);
   options.worker.command.threads = line.threads;

@@ -22,7 +22,7 @@ Supervisor::Options for_backend(Supervisor::Options options, v1::Backend backend
 Service::Service(asio::io_context& context, ServiceOptions options)
     : context_(context),
       options_(completed(std::move(options))),
-      queue_(options_.keep_bytes),
+      queue_(options_.keep_bytes, options_.first_job_id),
       cpu_(context.get_executor(), for_backend(options_.worker, v1::CPU), queue_, views_),
       gl_(context.get_executor(), for_backend(options_.worker, v1::GL), queue_, views_),
       listener_(context.get_executor()) {}

@@ -18,6 +18,7 @@ struct ServiceOptions {
   std::filesystem::path store;
   std::uint64_t store_bytes = 8ull << 30;
   std::uint64_t keep_bytes = 1ull << 30;  ///< Of films of ended jobs, and of paused ones.
+  std::uint64_t first_job_id = clock_job_id(std::chrono::system_clock::now());
   Supervisor::Options worker;  ///< Of both backends; its store and backend are filled in.
 };
 

@@ -85,8 +85,9 @@ TEST(JobLine, HoldsWhatAListNeeds) {
   job.set_tiles(300);
   job.set_age(42);
   job.set_reason("the worker was lost");
-  EXPECT_EQ(describe(job),
-            "    7  failed         120/300      0:42  booth.txtpb  (the worker was lost)");
+  EXPECT_EQ(
+      describe(job),
+      "               7  failed         120/300      0:42  booth.txtpb  (the worker was lost)");
 }
 
 TEST(Json, KeepsDefaultsAndWordsAndLeavesPixelsOut) {

@@ -50,10 +50,11 @@ Daemon::Daemon(Listens listens, std::vector<std::string> options) {
   how.lifeline = pair[1];
   how.environment["TMPDIR"] = folder_.path();
   // Little is logged: nobody reads the pipe before the end.
-  process_ = std::make_unique<Process>(joined({"metamerd", "--listen", address_, "--parent-fd", "3",
-                                               "--log-level", "error", "--threads", "1"},
-                                              options),
-                                       how);
+  process_ = std::make_unique<Process>(
+      joined({"metamerd", "--listen", address_, "--parent-fd", "3", "--log-level", "error",
+              "--threads", "1", "--first-job", "1"},
+             options),
+      how);
   close(pair[1]);
 
   std::array<char, 6> ready{};

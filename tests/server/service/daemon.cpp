@@ -20,6 +20,7 @@ Daemon::Daemon(const std::function<void(ServiceOptions&)>& change)
   ServiceOptions options;
   options.listen = {wire::parse_endpoint("unix:" + socket()).value()};
   options.store = folder() / "store";
+  options.first_job_id = 1;
   options.worker.command.program = METAMER_BIN "/metamer-fake-worker";
   if (change) change(options);
   service_ = std::make_unique<Service>(context_, options);

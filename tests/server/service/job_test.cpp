@@ -195,8 +195,24 @@ TEST_F(JobTest, PreviewsAreMadeOnlyWhileSomebodyWantsThem) {
   for (const auto& event : read(*job, {})) EXPECT_FALSE(event.has_preview());
 }
 
+TEST_F(JobTest, JobsAreNumberedFromTheClockInWhatJsonKeeps) {
+  using std::chrono::sys_days;
+  using namespace std::chrono_literals;
+  const std::chrono::system_clock::time_point day = sys_days(2026y / 11 / 26);
+  EXPECT_EQ(clock_job_id(day), 1'795'651'200'000'001u);
+  EXPECT_EQ(clock_job_id(day + 1us), clock_job_id(day) + 1);
+  for (const auto now : {sys_days(1969y / 12 / 31), sys_days(1970y / 1 / 1),
+                         sys_days(2112y / 12 / 31), sys_days(2250y / 1 / 1)}) {
+    EXPECT_GE(clock_job_id(now), 1u);
+    EXPECT_LE(clock_job_id(now), std::uint64_t{1} << 52);
+  }
+  JobQueue queue(1 << 20, clock_job_id(day));
+  EXPECT_EQ(queue.submit({}, AssetHolds(*store_)).value()->id(), clock_job_id(day));
+  EXPECT_EQ(queue.submit({}, AssetHolds(*store_)).value()->id(), clock_job_id(day) + 1);
+}
+
 TEST_F(JobTest, TheQueueIsFirstComeFirstServedAndARetriedJobComesBeforeAll) {
-  JobQueue queue(1 << 20);
+  JobQueue queue(1 << 20, 1);
   const auto first = queue.submit({}, AssetHolds(*store_)).value();
   const auto second = queue.submit({}, AssetHolds(*store_)).value();
   const auto third = queue.submit({}, AssetHolds(*store_)).value();
@@ -213,7 +229,7 @@ TEST_F(JobTest, TheQueueIsFirstComeFirstServedAndARetriedJobComesBeforeAll) {
 }
 
 TEST_F(JobTest, EachBackendGetsItsOwnJobsInTheirOrder) {
-  JobQueue queue(1 << 20);
+  JobQueue queue(1 << 20, 1);
   v1::Submit by_gl;
   by_gl.set_backend(v1::GL);
   const auto first = queue.submit({}, AssetHolds(*store_)).value();
@@ -229,7 +245,7 @@ TEST_F(JobTest, EachBackendGetsItsOwnJobsInTheirOrder) {
 }
 
 TEST_F(JobTest, AFullQueueRefusesUntilAJobEnds) {
-  JobQueue queue(1 << 20);
+  JobQueue queue(1 << 20, 1);
   for (std::size_t i = 0; i < max_live_jobs; ++i) {
     ASSERT_TRUE(queue.submit({}, AssetHolds(*store_)));
   }
@@ -242,7 +258,7 @@ TEST_F(JobTest, AFullQueueRefusesUntilAJobEnds) {
 }
 
 TEST_F(JobTest, EndedJobsAreDroppedOldestFirstWhenTheirPicturesTakeTooMuch) {
-  JobQueue queue(13'000);  // two pictures of 32 × 16 × 12 bytes
+  JobQueue queue(13'000, 1);  // two pictures of 32 × 16 × 12 bytes
   for (std::uint64_t id = 1; id <= 3; ++id) {
     queue.submit({}, AssetHolds(*store_)).value();
     const auto job = queue.next(v1::CPU);
@@ -258,7 +274,7 @@ TEST_F(JobTest, EndedJobsAreDroppedOldestFirstWhenTheirPicturesTakeTooMuch) {
 }
 
 TEST_F(JobTest, ALongListStaysAControlMessage) {
-  JobQueue queue(1 << 20);
+  JobQueue queue(1 << 20, 1);
   v1::Submit submit;
   submit.set_name(std::string(max_job_name, 'x'));
   for (std::size_t i = 0; i < max_ended_jobs + 10; ++i) {

@@ -153,6 +153,36 @@ TEST_F(Metamerd, ItsStoreIsKeptWhenItHasOne) {
   }
 }
 
+TEST_F(Metamerd, AJobsNumberDoesNotComeAgainAfterARestart) {
+  std::uint64_t last = 0;
+  for (int start = 0; start < 3; ++start) {
+    Program program(folder_.path(), private_options());
+    ASSERT_EQ(program.ready(), "ready\n");
+    Client client(path());
+    client.hello();
+    const std::uint64_t first = client.submit("picture 64 48 16");
+    EXPECT_GT(first, last);
+    v1::Envelope watch;
+    watch.mutable_watch()->set_job_id(last);
+    EXPECT_EQ(client.ask(watch).error().message(), "there is no job " + std::to_string(last));
+    last = client.submit("picture 64 48 16");
+    EXPECT_EQ(last, first + 1);
+    EXPECT_LT(last, std::uint64_t{1} << 53);
+    program.hang_up();
+    EXPECT_EQ(program.wait(), 0);
+  }
+}
+
+TEST_F(Metamerd, TheFirstJobsNumberCanBeChosen) {
+  auto options = private_options();
+  options.insert(options.end(), {"--first-job", "700"});
+  Program program(folder_.path(), options);
+  ASSERT_EQ(program.ready(), "ready\n");
+  Client client(path());
+  client.hello();
+  EXPECT_EQ(client.submit("picture 64 48 16"), 700u);
+}
+
 TEST_F(Metamerd, AnAddressInUseIsAFailureWithItsReason) {
   Program first(folder_.path(), private_options());
   ASSERT_EQ(first.ready(), "ready\n");
@@ -170,6 +200,7 @@ TEST_F(Metamerd, WrongUsageHasItsOwnExitCode) {
   for (const std::vector<std::string>& options : {std::vector<std::string>{"--no-such-option"},
                                                   {"--listen", "nonsense"},
                                                   {"--threads", "1000"},
+                                                  {"--first-job", "0"},
                                                   {"--worker-timeout", "-1"},
                                                   {"--log-level", "loud"}}) {
     EXPECT_EQ(Program(folder_.path(), options).wait(), 2) << options[0];
