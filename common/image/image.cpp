@@ -2,8 +2,6 @@
 
 #include <cassert>
 
-#include "common/color/srgb.h"
-
 namespace metamer {
 
 Image make_image(int width, int height, std::vector<std::string> channels) {
@@ -19,14 +17,6 @@ void to_linear_rgb(const Matrix3& matrix, const float* xyz, float* rgb, std::siz
     const Rgb linear = multiply(matrix, Xyz{xyz[0], xyz[1], xyz[2]});
     for (std::size_t c = 0; c < 3; ++c) rgb[c] = static_cast<float>(linear[c]);
   }
-}
-
-Image to_linear_srgb(const Image& xyz) {
-  assert(xyz.channels.size() == 3);
-  Image rgb = make_image(xyz.width, xyz.height, {"R", "G", "B"});
-  to_linear_rgb(srgb::from_xyz_matrix(), xyz.pixels.data(), rgb.pixels.data(),
-                xyz.pixels.size() / 3);
-  return rgb;
 }
 
 }  // namespace metamer

@@ -31,8 +31,6 @@ struct Image {
 
 Image make_image(int width, int height, std::vector<std::string> channels);
 
-/// XYZ → linear sRGB, values as they come.
-Image to_linear_srgb(const Image& xyz);
 /// A run of `pixels`, three values each, through a matrix in f64, which adapts as well.
 void to_linear_rgb(const Matrix3& matrix, const float* xyz, float* rgb, std::size_t pixels);
 

@@ -4,8 +4,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <utility>
-#include <vector>
 
 #include "common/spectral/wavelengths.h"
 
@@ -90,33 +88,6 @@ std::string spectral_channel_name(const SpectralChannel& channel) {
   std::replace(digits.data(), end, '.', ',');
   const char* stem = channel.kind == SpectralChannel::Kind::reflectance ? "T." : "S0.";
   return stem + std::string(digits.data(), end) + "nm";
-}
-
-Result<Spectrum> parse_spectrum_attribute(std::string_view text) {
-  std::vector<std::pair<double, double>> samples;
-  while (!text.empty()) {
-    const std::string_view entry = text.substr(0, text.find(';'));
-    text.remove_prefix(std::min(text.size(), entry.size() + 1));
-    const std::size_t colon = entry.find(':');
-    if (colon == std::string_view::npos)
-      return problem(quoted(entry) + " is not WAVELENGTH:VALUE, such as 550.00nm:0.1");
-    const Result<double> nm = parse_wavelength(entry.substr(0, colon));
-    if (!nm) return tl::unexpected<Problem>(nm.error());
-    const std::optional<double> value = parse_decimal(entry.substr(colon + 1));
-    if (!value) return problem(quoted(entry) + ": the value is not a number");
-    if (samples.size() == Wavelengths::max_count)
-      return problem("at most " + std::to_string(Wavelengths::max_count) + " samples are possible");
-    samples.emplace_back(*nm, *value);
-  }
-
-  // Frequencies come in falling order of wavelength, and nothing demands any order.
-  std::sort(samples.begin(), samples.end());
-  std::vector<double> nm, values;
-  for (const auto& [position, value] : samples) {
-    nm.push_back(position);
-    values.push_back(value);
-  }
-  return make_spectrum(std::move(nm), std::move(values));
 }
 
 std::string emissive_units(std::string_view text) {

@@ -30,11 +30,6 @@ Result<std::optional<SpectralChannel>> parse_spectral_channel(std::string_view n
 /// "S0.550,000000nm". `nm` as parse_spectral_channel gives it.
 std::string spectral_channel_name(const SpectralChannel& channel);
 
-/// Reads an attribute that holds a spectrum, "400.00nm:0.1;410.00nm:0.2;", whose last semicolon may
-/// be missing; sorted by wavelength. Errors name the entry: no number, no colon, a wavelength
-/// twice, none at all, more than Wavelengths::max_count.
-Result<Spectrum> parse_spectrum_attribute(std::string_view text);
-
 /// The unit of radiance in the layout's spelling where `text` means it, "W/m^2/sr" say, else
 /// `text`.
 std::string emissive_units(std::string_view text);

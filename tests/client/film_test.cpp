@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/color/srgb.h"
+
 namespace metamer {
 namespace {
 
@@ -94,11 +96,14 @@ TEST(Preview, KeepsItsValuesThroughXyz) {
   }
   const Answer<Image> image = preview_image(preview);
   ASSERT_TRUE(image);
-  const Image linear = to_linear_srgb(*image);
-  for (std::size_t i = 0; i < linear.pixels.size(); ++i) {
-    const double v = std::max(0.0f, linear.pixels[i]);
-    const double encoded = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
-    EXPECT_EQ(std::lround(encoded * 255), static_cast<unsigned char>(preview.rgb()[i])) << i;
+  for (std::size_t i = 0; i < image->pixels.size(); i += 3) {
+    const float* xyz = &image->pixels[i];
+    const srgb::Rgb linear = srgb::from_xyz({xyz[0], xyz[1], xyz[2]});
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double v = std::max(0.0, linear[c]);
+      const double encoded = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
+      EXPECT_EQ(std::lround(encoded * 255), static_cast<unsigned char>(preview.rgb()[i + c])) << i;
+    }
   }
 }
 

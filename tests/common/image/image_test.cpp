@@ -99,16 +99,13 @@ TEST_F(ImageFile, ExrOfRgbHoldsUnclippedLinearSrgb) {
   ASSERT_TRUE(write_image(image, folder_ / "a.EXR", false, {}));
   const auto back = read_image(folder_ / "a.EXR");
   ASSERT_TRUE(back) << format(back.error());
-  const Image expected = to_linear_srgb(image);
   EXPECT_EQ(back->channels, (std::vector<std::string>{"R", "G", "B"}));
-  EXPECT_TRUE(same_bits(back->pixels, expected.pixels));
-
-  // And that is the matrix applied to each pixel.
-  for (int x = 0; x < 70; ++x) {
-    const float* xyz = image.at(x, 69);
+  ASSERT_EQ(back->pixels.size(), image.pixels.size());
+  for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
+    const float* xyz = &image.pixels[i];
     const srgb::Rgb rgb = srgb::from_xyz({xyz[0], xyz[1], xyz[2]});
     for (std::size_t c = 0; c < 3; ++c) {
-      EXPECT_EQ(back->at(x, 69)[c], static_cast<float>(rgb[c]));
+      EXPECT_EQ(back->pixels[i + c], static_cast<float>(rgb[c]));
     }
   }
 }

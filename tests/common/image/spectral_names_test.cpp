@@ -70,34 +70,6 @@ TEST(SpectralChannelName, ThatIsHostileIsRefused) {
               "channel \"S0." + number + "\": the wavelength \"" + number + "\"" + range);
 }
 
-TEST(SpectrumAttribute, MayLackItsLastSemicolon) {
-  const Spectrum expected{{400, 410}, {0.1, 0.2}};
-  for (const char* text : {"400.00nm:0.1;410.00nm:0.2;", "400.00nm:0.1;410.00nm:0.2",
-                           "410nm:0.2;400nm:0.1;", "400,00nm:0,1;410nm:2e-1"}) {
-    const auto spectrum = parse_spectrum_attribute(text);
-    ASSERT_TRUE(spectrum) << text << ": " << spectrum.error().message;
-    EXPECT_EQ(*spectrum, expected) << text;
-  }
-}
-
-TEST(SpectrumAttribute, ThatIsHostileIsRefused) {
-  const auto refused = [](const std::string& text) {
-    const auto spectrum = parse_spectrum_attribute(text);
-    return spectrum ? "none" : spectrum.error().message;
-  };
-  EXPECT_EQ(refused(""), "no wavelengths");
-  EXPECT_EQ(refused(";"), "\"\" is not WAVELENGTH:VALUE, such as 550.00nm:0.1");
-  EXPECT_EQ(refused("400nm"), "\"400nm\" is not WAVELENGTH:VALUE, such as 550.00nm:0.1");
-  EXPECT_EQ(refused("400:1;"), "\"400\" ends in no unit of length or frequency");
-  EXPECT_EQ(refused("400nm:1;400nm:2"), "wavelength 400 is repeated");
-  EXPECT_EQ(refused("400nm:x"), "\"400nm:x\": the value is not a number");
-  EXPECT_EQ(refused("400nm:1e999"), "the value at 400 nm is not finite");
-  std::string many;
-  for (std::size_t i = 0; i <= Wavelengths::max_count; ++i)
-    many += std::to_string(300 + i) + "nm:1;";
-  EXPECT_EQ(refused(many), "at most 4001 samples are possible");
-}
-
 TEST(EmissiveUnits, HaveTwoSpellings) {
   EXPECT_EQ(emissive_units("W.m^-2.sr^-1"), "W.m^-2.sr^-1");
   EXPECT_EQ(emissive_units("W/m^2/sr"), "W.m^-2.sr^-1");
