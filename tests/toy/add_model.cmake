@@ -15,6 +15,7 @@ endif()
 file(WRITE ${def} "${with_line}")
 
 foreach(command
+    "${CMAKE_COMMAND};-P;${SCRATCH}/source/proto/write_tables.cmake"
     "${CMAKE_COMMAND};-S;${SCRATCH}/source;-B;${SCRATCH}/build;-G;Ninja;-DCMAKE_BUILD_TYPE=Debug;-DCMAKE_CXX_FLAGS_DEBUG=-O0"
     "${CMAKE_COMMAND};--build;${SCRATCH}/build;--target;toy_model"
     "${SCRATCH}/build/bin/toy_model")
