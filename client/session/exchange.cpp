@@ -25,22 +25,22 @@ tl::unexpected<SessionError> unexpected_answer() {
   return session_error(Kind::disconnected, "the server sent an answer that fits no question");
 }
 
-Session::Exchange::Exchange(State& state)
-    : state_(state),
-      id_(++state.last_id),
-      inbox_(std::make_shared<Inbox>(state.channel.executor(), inbox_size)) {
-  state_.inboxes.emplace(id_, inbox_);
+Session::Exchange::Exchange(std::shared_ptr<State> state)
+    : state_(std::move(state)),
+      id_(++state_->last_id),
+      inbox_(std::make_shared<Inbox>(state_->channel.executor(), inbox_size)) {
+  state_->inboxes.emplace(id_, inbox_);
 }
 
 Session::Exchange::~Exchange() {
   inbox_->close();
-  state_.inboxes.erase(id_);
+  state_->inboxes.erase(id_);
 }
 
 asio::awaitable<Answer<v1::Envelope>> Session::Exchange::receive() {
-  if (state_.lost && !inbox_->ready()) co_return state_.why_lost();
+  if (state_->lost && !inbox_->ready()) co_return state_->why_lost();
   auto [error, envelope] = co_await inbox_->async_receive(as_tuple);
-  if (error) co_return state_.why_lost();
+  if (error) co_return state_->why_lost();
   if (envelope.has_error()) co_return refused(envelope.error());
   co_return Answer<v1::Envelope>(std::move(envelope));
 }

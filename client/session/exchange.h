@@ -31,7 +31,7 @@ struct Session::State {
         write_turn(channel.executor(), 1) {}
 
   /// Ends every exchange, under way or to come, with this reason.
-  void lose(std::string reason) {
+  void lose(const std::string& reason) {
     if (lost) return;
     lost = "lost the connection to " + server + ": " + reason;
     channel.close();
@@ -57,7 +57,7 @@ struct Session::State {
 /// One question and its answers: a request's number, and the inbox for it while this lives.
 class Session::Exchange {
  public:
-  explicit Exchange(State& state);
+  explicit Exchange(std::shared_ptr<State> state);
   Exchange(const Exchange&) = delete;
   Exchange& operator=(const Exchange&) = delete;
   ~Exchange();
@@ -69,7 +69,7 @@ class Session::Exchange {
   asio::awaitable<Answer<v1::Envelope>> receive();
 
  private:
-  State& state_;
+  std::shared_ptr<State> state_;
   std::uint64_t id_;
   std::shared_ptr<Inbox> inbox_;
 };

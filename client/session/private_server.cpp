@@ -17,6 +17,7 @@ extern "C" {  // glibc 2.36 forgot it
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,7 +28,7 @@ namespace {
 namespace asio = boost::asio;
 namespace fs = std::filesystem;
 
-constexpr int child_lifeline = 3;  // the descriptor that the daemon is told about
+constexpr int daemon_fd = 3;  // in the daemon: its end of the pair
 
 tl::unexpected<SessionError> no_server(std::string message) {
   return session_error(SessionError::Kind::no_server, std::move(message));
@@ -54,12 +55,11 @@ Answer<fs::path> make_folder() {
 
 /// Starts the daemon in a process group of its own, so that a Ctrl-C at the terminal is ours
 /// alone; its log goes into the folder. Returns its pid.
-Answer<pid_t> spawn_daemon(const std::string& daemon, const fs::path& folder, int lifeline) {
+Answer<pid_t> spawn_daemon(const std::string& daemon, const fs::path& folder, int pair_end) {
   const std::string listen = "unix:" + (folder / "socket").string();
   const std::string log = (folder / "log").string();
   std::vector<std::string> words = {
-      daemon,        "--listen", listen, "--parent-fd", std::to_string(child_lifeline),
-      "--log-level", "warn"};
+      daemon, "--listen", listen, "--parent-fd", std::to_string(daemon_fd), "--log-level", "warn"};
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
@@ -69,7 +69,7 @@ Answer<pid_t> spawn_daemon(const std::string& daemon, const fs::path& folder, in
   posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, 1, log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
   posix_spawn_file_actions_adddup2(&actions, 1, 2);
-  posix_spawn_file_actions_adddup2(&actions, lifeline, child_lifeline);
+  posix_spawn_file_actions_adddup2(&actions, pair_end, daemon_fd);
 
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
@@ -90,16 +90,16 @@ Answer<pid_t> spawn_daemon(const std::string& daemon, const fs::path& folder, in
 /// Waits for the line `ready`. `descriptor` stays the caller's.
 asio::awaitable<bool> wait_for_ready(int descriptor) {
   const auto executor = co_await asio::this_coro::executor;
-  asio::local::stream_protocol::socket socket(executor, asio::local::stream_protocol(),
-                                              dup(descriptor));
+  const auto socket = std::make_shared<asio::local::stream_protocol::socket>(
+      executor, asio::local::stream_protocol(), dup(descriptor));
   asio::steady_timer limit(executor, PrivateServer::start_time_limit);
-  limit.async_wait([&socket](const boost::system::error_code& error) {
-    if (!error) socket.cancel();
+  limit.async_wait([socket](const boost::system::error_code& error) {
+    if (!error) socket->cancel();
   });
   constexpr std::size_t max_line = 64;
   std::string line;
   boost::system::error_code error;
-  co_await asio::async_read_until(socket, asio::dynamic_buffer(line, max_line), '\n',
+  co_await asio::async_read_until(*socket, asio::dynamic_buffer(line, max_line), '\n',
                                   asio::redirect_error(asio::use_awaitable, error));
   limit.cancel();
   co_return !error && line == "ready\n";
@@ -110,11 +110,11 @@ asio::awaitable<bool> wait_for_ready(int descriptor) {
 asio::awaitable<Answer<PrivateServer>> PrivateServer::start() {
   PrivateServer server;
 
-  // Make the pair that ties the daemon's life to ours; only its own end is inherited.
+  // Make the pair by which the daemon notices our end; only its own end is inherited.
   std::array<int, 2> pair{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair.data()) != 0)
     co_return no_server(std::string("cannot make a socket pair: ") + std::strerror(errno));
-  server.lifeline_ = pair[0];
+  server.pair_end_ = pair[0];
 
   // Start it.
   Answer<fs::path> folder = make_folder();
@@ -130,18 +130,18 @@ asio::awaitable<Answer<PrivateServer>> PrivateServer::start() {
   server.pid_ = *pid;
 
   // Wait until it listens.
-  const bool ready = co_await wait_for_ready(server.lifeline_);
+  const bool ready = co_await wait_for_ready(server.pair_end_);
   if (!ready) co_return no_server("the private " + daemon + " did not start" + server.last_words());
   co_return Answer<PrivateServer>(std::move(server));
 }
 
 PrivateServer::PrivateServer(PrivateServer&& other) noexcept
     : pid_(std::exchange(other.pid_, -1)),
-      lifeline_(std::exchange(other.lifeline_, -1)),
+      pair_end_(std::exchange(other.pair_end_, -1)),
       folder_(std::exchange(other.folder_, {})) {}
 
 PrivateServer::~PrivateServer() {
-  if (lifeline_ >= 0) close(lifeline_);
+  if (pair_end_ >= 0) close(pair_end_);
   if (pid_ > 0) {
     const int process = pidfd_open(pid_, 0);
     pollfd ended{process, POLLIN, 0};

@@ -39,7 +39,7 @@ class PrivateServer {
   std::string last_words() const;
 
   pid_t pid_ = -1;
-  int lifeline_ = -1;  ///< Our end of the socket pair.
+  int pair_end_ = -1;  ///< Ours, of the socket pair by which the daemon notices our end.
   std::filesystem::path folder_;
 };
 

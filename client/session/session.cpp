@@ -7,16 +7,12 @@
 
 #include "client/session/exchange.h"
 #include "common/wire/endpoint.h"
-#include "common/wire/protocol_version.h"
+#include "common/wire/protocol.h"
 
 namespace metamer {
 namespace {
 
 using Kind = SessionError::Kind;
-
-/// A server may wait 5 s for its first worker before it says Welcome; on a loaded machine twice
-/// that.
-constexpr std::chrono::seconds welcome_timeout{15};
 
 }  // namespace
 
@@ -26,36 +22,52 @@ Session::~Session() { state_->lose("it was closed"); }
 
 const v1::Welcome& Session::welcome() const { return state_->welcome; }
 
-asio::awaitable<Answer<std::unique_ptr<Session>>> Session::connect(std::string server) {
+asio::awaitable<Answer<std::unique_ptr<Session>>> Session::connect(std::string server,
+                                                                   ConnectLimits limits) {
   const auto endpoint = wire::parse_endpoint(server);
   if (!endpoint) co_return session_error(Kind::input, endpoint.error().message);
-  const auto executor = co_await asio::this_coro::executor;
-  auto socket = wire::connect(executor, *endpoint);
+  auto socket = co_await wire::connect(*endpoint, limits.connection);
   if (!socket) co_return session_error(Kind::no_server, socket.error().message);
 
+  const auto executor = co_await asio::this_coro::executor;
   auto state = std::make_shared<State>(std::move(*socket), wire::to_string(*endpoint));
   asio::co_spawn(executor, State::read_all(state), asio::detached);
   std::unique_ptr<Session> session(new Session(state));
 
-  // Shake hands.
+  // Give up the handshake after its time, or when this coroutine is cancelled.
+  asio::steady_timer timer(executor, limits.welcome);
+  timer.async_wait([state](error_code cancelled) {
+    if (!cancelled) state->lose("it did not answer the handshake");
+  });
+  Answer<void> greeted;
+  try {
+    greeted = co_await session->shake_hands();
+  } catch (const boost::system::system_error& error) {
+    if (error.code() != asio::error::operation_aborted) throw;
+  }
+  const auto cancellation = co_await asio::this_coro::cancellation_state;
+  if (cancellation.cancelled() != asio::cancellation_type::none)
+    co_return session_error(Kind::no_server,
+                            "can't connect to " + state->server + ": Operation canceled");
+  if (!greeted) co_return tl::unexpected<SessionError>(std::move(greeted.error()));
+  co_return Answer<std::unique_ptr<Session>>(std::move(session));
+}
+
+asio::awaitable<Answer<void>> Session::shake_hands() {
   v1::Envelope request;
   request.mutable_hello()->set_protocol_version(wire::protocol_version);
   request.mutable_hello()->set_client(std::string("metamer ") + METAMER_VERSION);
-  asio::steady_timer patience(executor, welcome_timeout);
-  patience.async_wait([state](error_code cancelled) {
-    if (!cancelled) state->lose("it did not answer the handshake");
-  });
-  Answer<v1::Envelope> answer = co_await session->ask(std::move(request));
-  patience.cancel();
+  Answer<v1::Envelope> answer = co_await ask(std::move(request));
   if (!answer) co_return tl::unexpected<SessionError>(std::move(answer.error()));
   if (!answer->has_welcome()) co_return unexpected_answer();
-  state->welcome = std::move(*answer->mutable_welcome());
-  if (state->welcome.protocol_version() != wire::protocol_version)
-    co_return session_error(Kind::version, state->server + " speaks version " +
-                                               std::to_string(state->welcome.protocol_version()) +
+  v1::Welcome& welcome = state_->welcome;
+  welcome = std::move(*answer->mutable_welcome());
+  if (welcome.protocol_version() != wire::protocol_version)
+    co_return session_error(Kind::version, state_->server + " speaks version " +
+                                               std::to_string(welcome.protocol_version()) +
                                                " of the protocol, this program version " +
                                                std::to_string(wire::protocol_version));
-  co_return Answer<std::unique_ptr<Session>>(std::move(session));
+  co_return Answer<void>();
 }
 
 asio::awaitable<Answer<v1::Envelope>> Session::ask(v1::Envelope request) {
@@ -65,7 +77,7 @@ asio::awaitable<Answer<v1::Envelope>> Session::ask(v1::Envelope request) {
     co_return session_error(Kind::input, "a request of " + std::to_string(request.ByteSizeLong()) +
                                              " bytes is over the server's limit of " +
                                              std::to_string(limit));
-  Exchange exchange(*state_);
+  Exchange exchange(state_);
   request.set_request_id(exchange.id());
   co_await state_->write(request);
   co_return co_await exchange.receive();
@@ -185,7 +197,7 @@ asio::awaitable<Answer<void>> Session::send(const Upload& upload) {
   if (!chunks) co_return tl::unexpected<SessionError>(std::move(chunks.error()));
 
   // Stop early when the server has said something already: that can only be a refusal.
-  Exchange exchange(*state_);
+  Exchange exchange(state_);
   while (!chunks->done() && !exchange.has_answer() && !state_->lost) {
     Answer<v1::AssetChunk> piece = chunks->next();
     if (!piece) co_return tl::unexpected<SessionError>(std::move(piece.error()));
@@ -201,7 +213,7 @@ asio::awaitable<Answer<void>> Session::send(const Upload& upload) {
 }
 
 asio::awaitable<Answer<void>> Session::watch(v1::Watch request, OnEvent on_event) {
-  Exchange exchange(*state_);
+  Exchange exchange(state_);
   v1::Envelope envelope;
   envelope.set_request_id(exchange.id());
   *envelope.mutable_watch() = std::move(request);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <boost/asio/awaitable.hpp>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -12,14 +13,26 @@
 
 namespace metamer {
 
+/// How long to wait for a server.
+struct ConnectLimits {
+  std::chrono::steady_clock::duration connection = std::chrono::seconds(10);
+  /// A server may wait 5 s for its first worker before it says Welcome; on a loaded machine twice
+  /// that.
+  std::chrono::steady_clock::duration welcome = std::chrono::seconds(15);
+};
+
 /// A connection to a server after its handshake. All its coroutines run on the executor that
 /// connect() ran on, which one thread drives; several may be under way at once: a job can be
-/// cancelled while it is watched. Once the connection is lost every call says so.
+/// cancelled while it is watched. Once the connection is lost every call says so. A
+/// session outlives its coroutines.
 class Session {
  public:
   /// Connects to "unix:PATH" or "HOST:PORT" and shakes hands.
-  /// Errors: input (an address that is none), no_server (with the system's reason), version.
-  static boost::asio::awaitable<Answer<std::unique_ptr<Session>>> connect(std::string server);
+  /// Errors: input (an address that is none), no_server (with the system's reason, or because
+  /// it took too long), disconnected (no answer to the handshake), version. Ends with an error
+  /// soon when the coroutine is cancelled.
+  static boost::asio::awaitable<Answer<std::unique_ptr<Session>>> connect(
+      std::string server, ConnectLimits limits = {});
   ~Session();
 
   const v1::Welcome& welcome() const;
@@ -45,6 +58,7 @@ class Session {
   struct State;
   class Exchange;
   explicit Session(std::shared_ptr<State> state);
+  boost::asio::awaitable<Answer<void>> shake_hands();
   boost::asio::awaitable<Answer<v1::Envelope>> ask(v1::Envelope request);
   boost::asio::awaitable<Answer<v1::JobSummary>> control(v1::Envelope request);
   boost::asio::awaitable<Answer<void>> send_missing(const std::vector<Upload>& uploads);

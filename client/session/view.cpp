@@ -49,7 +49,7 @@ asio::awaitable<Answer<std::unique_ptr<View>>> View::open(Session& session,
   Answer<void> sent = co_await session.send_missing(submission.uploads);
   if (!sent) co_return tl::unexpected<SessionError>(std::move(sent.error()));
   std::unique_ptr<View> view(
-      new View(session, std::make_unique<Session::Exchange>(*session.state_)));
+      new View(session, std::make_unique<Session::Exchange>(session.state_)));
   v1::Envelope request;
   request.set_request_id(view->exchange_->id());
   v1::OpenView& open = *request.mutable_open_view();

@@ -6,10 +6,16 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
+#include <boost/asio/experimental/awaitable_operators.hpp>
 #include <cerrno>
 #include <charconv>
+#include <cstdio>
 #include <cstring>
+#include <memory>
 #include <optional>
+#include <tuple>
+#include <variant>
 #include <vector>
 
 namespace metamer::wire {
@@ -21,6 +27,10 @@ using GenericEndpoint = asio::generic::stream_protocol::endpoint;
 
 constexpr std::size_t max_unix_path = 107;  // sun_path is 108 bytes with its closing 0
 constexpr int backlog = 64;
+/// A Unix socket whose listener has as many connections waiting as it holds is tried again after
+/// this time: the system has nothing to wait for there.
+constexpr std::chrono::milliseconds busy_retry{20};
+constexpr auto as_tuple = asio::as_tuple(asio::use_awaitable);
 
 std::optional<std::uint16_t> parse_port(std::string_view text) {
   std::uint16_t port = 0;
@@ -42,19 +52,33 @@ Result<Endpoint> parse_unix(std::string_view text, std::string_view path) {
   return Endpoint{Endpoint::Kind::unix_socket, std::string(path), {}, 0};
 }
 
+using Addresses = std::vector<GenericEndpoint>;
+
+/// The address of an endpoint that has no name to look up.
+std::optional<GenericEndpoint> address_of(const Endpoint& endpoint) {
+  if (endpoint.kind == Endpoint::Kind::unix_socket)
+    return asio::local::stream_protocol::endpoint(endpoint.path);
+  error_code error;
+  const auto address = asio::ip::make_address(endpoint.host, error);
+  if (error) return std::nullopt;
+  return asio::ip::tcp::endpoint(address, endpoint.port);
+}
+
+Result<Addresses> found_addresses(const Endpoint& endpoint, const error_code& error,
+                                  const asio::ip::tcp::resolver::results_type& found) {
+  if (error) return problem("can't find " + endpoint.host + ": " + error.message());
+  Addresses addresses;
+  for (const auto& entry : found) addresses.emplace_back(entry.endpoint());
+  return addresses;
+}
+
 /// The system's addresses for an endpoint, looked up where it has a name.
-Result<std::vector<GenericEndpoint>> resolve(const asio::any_io_executor& executor,
-                                             const Endpoint& endpoint) {
-  if (endpoint.kind == Endpoint::Kind::unix_socket) {
-    return std::vector<GenericEndpoint>{asio::local::stream_protocol::endpoint(endpoint.path)};
-  }
+Result<Addresses> resolve(const asio::any_io_executor& executor, const Endpoint& endpoint) {
+  if (const auto address = address_of(endpoint)) return Addresses{*address};
   asio::ip::tcp::resolver resolver(executor);
   error_code error;
   const auto found = resolver.resolve(endpoint.host, std::to_string(endpoint.port), error);
-  if (error) return problem("can't find " + endpoint.host + ": " + error.message());
-  std::vector<GenericEndpoint> endpoints;
-  for (const auto& entry : found) endpoints.emplace_back(entry.endpoint());
-  return endpoints;
+  return found_addresses(endpoint, error, found);
 }
 
 /// Small messages travel at once; a peer that vanished is noticed some day.
@@ -124,18 +148,86 @@ std::string to_string(const Endpoint& endpoint) {
   return (v6 ? "[" + endpoint.host + "]" : endpoint.host) + ":" + std::to_string(endpoint.port);
 }
 
-Result<Socket> connect(const asio::any_io_executor& executor, const Endpoint& endpoint) {
-  const auto addresses = resolve(executor, endpoint);
-  if (!addresses) return tl::unexpected(addresses.error());
+namespace {
+
+/// A look-up that may be left: the system's call can't be interrupted.
+struct LookUp {
+  explicit LookUp(const asio::any_io_executor& executor)
+      : resolver(executor), done(executor, asio::steady_timer::time_point::max()) {}
+  asio::ip::tcp::resolver resolver;
+  asio::steady_timer done;  // cancelled when there is a result
+  std::optional<Result<Addresses>> result;
+};
+
+/// The same without blocking. Another error: "Operation canceled".
+asio::awaitable<Result<Addresses>> look_up(Endpoint endpoint) {
+  if (const auto address = address_of(endpoint)) co_return Addresses{*address};
+  const auto look = std::make_shared<LookUp>(co_await asio::this_coro::executor);
+  look->resolver.async_resolve(endpoint.host, std::to_string(endpoint.port),
+                               [look, endpoint](auto error, auto found) {
+                                 look->result = found_addresses(endpoint, error, found);
+                                 look->done.cancel();
+                               });
+  co_await look->done.async_wait(as_tuple);
+  if (look->result) co_return *look->result;
+  const error_code cancelled = asio::error::operation_aborted;
+  co_return found_addresses(endpoint, cancelled, {});
+}
+
+/// A Unix socket connects at once or not at all; see busy_retry.
+asio::awaitable<error_code> connect_unix(Socket& socket, const GenericEndpoint& address) {
+  asio::steady_timer pause(socket.get_executor());
+  error_code error;
+  socket.open(address.protocol(), error);
+  while (!error) {
+    socket.native_non_blocking(true, error);
+    const auto size = static_cast<socklen_t>(address.size());
+    if (::connect(socket.native_handle(), address.data(), size) == 0) co_return error_code();
+    if (errno != EAGAIN) co_return error_code(errno, boost::system::system_category());
+    pause.expires_after(busy_retry);
+    std::tie(error) = co_await pause.async_wait(as_tuple);
+  }
+  co_return error;
+}
+
+asio::awaitable<Result<Socket>> connect_in_turn(const Endpoint& endpoint) {
+  // Cancelled or late is told as a value, like any other reason.
+  co_await asio::this_coro::throw_if_cancelled(false);
+  const auto addresses = co_await look_up(endpoint);
+  if (!addresses) co_return tl::unexpected(addresses.error());
   error_code error = asio::error::host_not_found;
   for (const auto& address : *addresses) {
-    Socket socket(executor);
-    socket.connect(address, error);
+    Socket socket(co_await asio::this_coro::executor);
+    if (endpoint.kind == Endpoint::Kind::unix_socket) {
+      error = co_await connect_unix(socket, address);
+    } else {
+      std::tie(error) = co_await socket.async_connect(address, as_tuple);
+    }
+    if (error == asio::error::operation_aborted) break;
     if (error) continue;
     prepare_tcp(socket);
-    return socket;
+    co_return socket;
   }
-  return problem("can't connect to " + to_string(endpoint) + ": " + error.message());
+  co_return problem("can't connect to " + to_string(endpoint) + ": " + error.message());
+}
+
+asio::awaitable<void> pass(std::chrono::steady_clock::duration limit) {
+  asio::steady_timer timer(co_await asio::this_coro::executor, limit);
+  co_await timer.async_wait(asio::use_awaitable);
+}
+
+}  // namespace
+
+asio::awaitable<Result<Socket>> connect(Endpoint endpoint,
+                                        std::chrono::steady_clock::duration limit) {
+  using asio::experimental::awaitable_operators::operator||;
+  auto first = co_await (connect_in_turn(endpoint) || pass(limit));
+  if (auto* connected = std::get_if<0>(&first)) co_return std::move(*connected);
+  const std::chrono::duration<double> seconds = limit;
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%g", seconds.count());
+  co_return problem("can't connect to " + to_string(endpoint) + ": no connection within " +
+                    text.data() + " s");
 }
 
 Acceptor::Acceptor(Native native, Endpoint endpoint)

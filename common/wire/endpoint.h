@@ -1,6 +1,7 @@
 #pragma once
 
 #include <boost/asio.hpp>
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -31,8 +32,16 @@ Result<Endpoint> parse_endpoint(std::string_view text);
 /// As parse_endpoint reads it.
 std::string to_string(const Endpoint& endpoint);
 
-/// Connects and waits until that is done, name look-up included. The error names the endpoint.
-Result<Socket> connect(const asio::any_io_executor& executor, const Endpoint& endpoint);
+/// Longer than a network takes that works, shorter than a person waits: the system itself tries for
+/// two minutes.
+inline constexpr std::chrono::seconds connect_timeout{10};
+
+/// Connects, name look-up included: each of a name's addresses in turn, for `limit` in all. The
+/// error names the endpoint: the system's reason, the time-out, or "Operation canceled" where the
+/// coroutine was cancelled (by asio's cancellation slot). A look-up that is given up still holds
+/// its thread until the resolver has answered.
+asio::awaitable<Result<Socket>> connect(
+    Endpoint endpoint, std::chrono::steady_clock::duration limit = connect_timeout);
 
 /// An open listening socket. A Unix socket's file (mode 0600) is removed with it.
 class Acceptor {

@@ -43,19 +43,20 @@ asio::awaitable<void> FakeServer::serve() {
   }
 }
 
-std::optional<SessionError> FakeServer::run(Work work) {
+std::optional<SessionError> FakeServer::run(Work work, ConnectLimits limits,
+                                            asio::cancellation_slot cancel) {
   std::optional<SessionError> failure;
   asio::co_spawn(loop_, serve(), asio::detached);
   const auto client = [&]() -> asio::awaitable<void> {
     Answer<std::unique_ptr<Session>> session =
-        co_await Session::connect("unix:" + folder_ + "/socket");
+        co_await Session::connect("unix:" + folder_ + "/socket", limits);
     if (session) {
       co_await work(**session);
     } else {
       failure = session.error();
     }
   };
-  asio::co_spawn(loop_, client(), asio::detached);
+  asio::co_spawn(loop_, client(), asio::bind_cancellation_slot(cancel, asio::detached));
   loop_.run();
   return failure;
 }

@@ -23,8 +23,9 @@ class FakeServer {
 
   /// Connects to it, does `work`, and runs until both are done.
   using Work = std::function<boost::asio::awaitable<void>(Session&)>;
-  /// The error of connect(), where it had one.
-  std::optional<SessionError> run(Work work);
+  /// The error of connect(), where it had one; `cancel` cancels that.
+  std::optional<SessionError> run(Work work, ConnectLimits limits = {},
+                                  boost::asio::cancellation_slot cancel = {});
 
  private:
   boost::asio::awaitable<void> serve();

@@ -64,6 +64,31 @@ TEST(Handshake, AServerThatClosesIsLost) {
   EXPECT_NE(failure->message.find("lost the connection to unix:"), std::string::npos);
 }
 
+TEST(Handshake, AServerThatSaysNothingIsGivenUp) {
+  FakeServer server([](const v1::Envelope&) { return Envelopes{}; });
+  ConnectLimits limits;
+  limits.welcome = std::chrono::milliseconds(50);
+  const auto failure = server.run(nothing, limits);
+  ASSERT_TRUE(failure);
+  EXPECT_EQ(failure->kind, Kind::disconnected);
+  EXPECT_TRUE(failure->message.starts_with("lost the connection to unix:")) << failure->message;
+  EXPECT_TRUE(failure->message.ends_with("/socket: it did not answer the handshake"))
+      << failure->message;
+}
+
+TEST(Handshake, EndsWhenItIsCancelled) {
+  asio::cancellation_signal cancel;
+  FakeServer server([&](const v1::Envelope&) {
+    cancel.emit(asio::cancellation_type::terminal);
+    return Envelopes{};
+  });
+  const auto failure = server.run(nothing, {}, cancel.slot());
+  ASSERT_TRUE(failure);
+  EXPECT_EQ(failure->kind, Kind::no_server);
+  EXPECT_TRUE(failure->message.starts_with("can't connect to unix:")) << failure->message;
+  EXPECT_TRUE(failure->message.ends_with("/socket: Operation canceled")) << failure->message;
+}
+
 /// What an upload meets: which digests were offered, what arrived, and the job's request.
 struct Store {
   bool has_all = false;
