@@ -108,7 +108,7 @@ Dispatch::Answer Dispatch::hello(const v1::Hello& hello) {
   welcome.set_protocol_version(wire::protocol_version);
   welcome.set_server(server_name);
   *welcome.mutable_limits() = limits_message();
-  *welcome.mutable_capabilities() = house_.cpu.capabilities();
+  *welcome.mutable_capabilities() = context_.cpu.capabilities();
   return envelope;
 }
 
@@ -117,20 +117,20 @@ Dispatch::Answer Dispatch::info() {
   v1::Info& info = *envelope.mutable_info();
   info.set_server(server_name);
   info.set_uptime(
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - house_.started).count());
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - context_.started).count());
   *info.mutable_limits() = limits_message();
   v1::Capabilities& capabilities = *info.mutable_capabilities();
-  capabilities = house_.cpu.capabilities();
-  if (house_.gl.capabilities().has_gl()) {
-    capabilities.mutable_backend()->MergeFrom(house_.gl.capabilities().backend());
-    *capabilities.mutable_gl() = house_.gl.capabilities().gl();
+  capabilities = context_.cpu.capabilities();
+  if (context_.gl.capabilities().has_gl()) {
+    capabilities.mutable_backend()->MergeFrom(context_.gl.capabilities().backend());
+    *capabilities.mutable_gl() = context_.gl.capabilities().gl();
   }
-  *info.add_worker() = house_.cpu.info();
-  *info.add_worker() = house_.gl.info();
-  info.set_jobs_queued(house_.queue.queued());
-  info.set_jobs_running(house_.queue.running());
-  info.set_store_bytes(house_.store.bytes());
-  info.set_sessions(house_.sessions());
+  *info.add_worker() = context_.cpu.info();
+  *info.add_worker() = context_.gl.info();
+  info.set_jobs_queued(context_.queue.queued());
+  info.set_jobs_running(context_.queue.running());
+  info.set_store_bytes(context_.store.bytes());
+  info.set_sessions(context_.sessions());
   return envelope;
 }
 
@@ -181,7 +181,7 @@ tl::expected<void, Refusal> Dispatch::take_chunk(const Digest& digest,
       return refuse(v1::Error::LIMIT,
                     "a client may hold " + std::to_string(max_held_assets) + " assets");
     }
-    auto upload = AssetUpload::begin(house_.store, digest, chunk.size());
+    auto upload = AssetUpload::begin(context_.store, digest, chunk.size());
     if (!upload) return tl::unexpected(upload.error());
     upload_.emplace(*std::move(upload));
   }
@@ -203,7 +203,7 @@ tl::expected<AssetHolds, Refusal> Dispatch::hold(const std::string& scene, const
   }
   if (!v1::Backend_IsValid(backend))
     return refuse(v1::Error::LIMIT, "there is no backend of number " + std::to_string(backend));
-  AssetHolds holds(house_.store);
+  AssetHolds holds(context_.store);
   const auto add = [&](const std::string& bytes,
                        const std::string& name) -> tl::expected<void, Refusal> {
     const auto digest = to_digest(bytes);
@@ -226,16 +226,16 @@ Dispatch::Answer Dispatch::submit(v1::Submit submit) {
   }
   auto assets = hold(submit.scene_sha256(), submit.asset(), submit.backend());
   if (!assets) return tl::unexpected(assets.error());
-  auto job = house_.queue.submit(std::move(submit), *std::move(assets));
+  auto job = context_.queue.submit(std::move(submit), *std::move(assets));
   if (!job) return tl::unexpected(job.error());
-  house_.worker_of(**job).work();
+  context_.worker_of(**job).work();
   v1::Envelope envelope;
   envelope.mutable_submitted()->set_job_id((*job)->id());
   return envelope;
 }
 
 Dispatch::Answer Dispatch::watch(std::uint64_t request_id, const v1::Watch& watch) {
-  const auto job = house_.queue.find(watch.job_id());
+  const auto job = context_.queue.find(watch.job_id());
   if (!job) return no_such_job(watch.job_id());
   if (watches_.size() >= max_watches) {
     return refuse(v1::Error::LIMIT,
@@ -247,26 +247,26 @@ Dispatch::Answer Dispatch::watch(std::uint64_t request_id, const v1::Watch& watc
 
 Dispatch::Answer Dispatch::list() {
   v1::Envelope envelope;
-  *envelope.mutable_job_list() = house_.queue.list();
+  *envelope.mutable_job_list() = context_.queue.list();
   return envelope;
 }
 
 Dispatch::Answer Dispatch::order(Order order, std::uint64_t job_id) {
-  const auto job = house_.queue.find(job_id);
+  const auto job = context_.queue.find(job_id);
   if (!job) return no_such_job(job_id);
   const auto carry_out = [&]() -> tl::expected<void, Refusal> {
     switch (order) {
       case Order::cancel:
-        return house_.queue.cancel(*job);
+        return context_.queue.cancel(*job);
       case Order::pause:
-        return house_.queue.pause(*job);
+        return context_.queue.pause(*job);
       case Order::resume:
-        return house_.queue.resume(job);
+        return context_.queue.resume(job);
     }
     return {};
   };
   if (auto done = carry_out(); !done) return tl::unexpected(done.error());
-  Supervisor& worker = house_.worker_of(*job);
+  Supervisor& worker = context_.worker_of(*job);
   if (order != Order::resume) worker.interrupt(*job);
   worker.work();
   v1::Envelope envelope;
@@ -280,10 +280,10 @@ Dispatch::Answer Dispatch::open_view(std::uint64_t request_id, v1::OpenView open
                                         " views open at a time");
   auto assets = hold(open.scene_sha256(), open.asset(), open.backend());
   if (!assets) return tl::unexpected(assets.error());
-  const auto view = house_.views.open(std::move(open), *std::move(assets), views_.wake());
+  const auto view = context_.views.open(std::move(open), *std::move(assets), views_.wake());
   if (!view) return tl::unexpected(view.error());
   views_.add(request_id, *view);
-  house_.worker_of((*view)->backend()).open(**view);
+  context_.worker_of((*view)->backend()).open(**view);
   return std::nullopt;
 }
 
@@ -312,7 +312,7 @@ Dispatch::Answer Dispatch::tell_view(const Request& request) {
   if (view->ended()) return std::nullopt;  // its last event is on the way
   auto order = order_of(*view, request);
   if (!order) return tl::unexpected(order.error());
-  if (*order) house_.worker_of(view->backend()).tell(*std::move(*order));
+  if (*order) context_.worker_of(view->backend()).tell(*std::move(*order));
   return std::nullopt;
 }
 

@@ -16,7 +16,7 @@
 namespace metamer::service {
 
 /// What every session works with. It outlives them all.
-struct House {
+struct ServiceContext {
   AssetStore& store;
   JobQueue& queue;
   Views& views;
@@ -29,11 +29,11 @@ struct House {
   Supervisor& worker_of(const Job& job) const { return worker_of(job.submit().backend()); }
 };
 
-/// One client's side of the conversation: takes a request and gives the answer. No sockets.
+/// Answers one client's requests. Knows no sockets.
 class Dispatch {
  public:
-  Dispatch(House& house, Watches& watches, ViewStreams& views)
-      : house_(house), watches_(watches), views_(views), holds_(house.store) {}
+  Dispatch(ServiceContext& context, Watches& watches, ViewStreams& views)
+      : context_(context), watches_(watches), views_(views), holds_(context.store) {}
 
   /// The answer to a request; nothing when it is answered by events alone, or not yet complete.
   std::optional<v1::Envelope> answer(v1::Envelope request);
@@ -60,7 +60,7 @@ class Dispatch {
   template <class Request>
   Answer tell_view(const Request& request);
 
-  House& house_;
+  ServiceContext& context_;
   Watches& watches_;
   ViewStreams& views_;
   bool greeted_ = false;

@@ -43,7 +43,7 @@ bool Job::take(Step step) {
   const auto next = next_state(state_, step);
   if (!next) return false;
 
-  // Book the time that was spent in the state that is left.
+  // Add up the time that was spent in the state that is left.
   const auto now = Clock::now();
   if (state_ == v1::QUEUED) queued_seconds_ += between(state_since_, now);
   if (state_ == v1::RUNNING) {

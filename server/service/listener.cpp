@@ -8,8 +8,8 @@ namespace metamer::service {
 
 namespace {
 
-/// After a failed accept (no descriptors left, say) the door rests, lest it spins.
-constexpr std::chrono::milliseconds rest{100};
+/// Wait after a failed accept (no descriptors left, say), which would fail again at once.
+constexpr std::chrono::milliseconds accept_pause{100};
 
 }  // namespace
 
@@ -27,9 +27,9 @@ std::vector<wire::Endpoint> Listener::endpoints() const {
   return endpoints;
 }
 
-void Listener::start(House& house) {
+void Listener::start(ServiceContext& context) {
   for (auto& acceptor : acceptors_) {
-    asio::co_spawn(executor_, accept(acceptor, house), asio::detached);
+    asio::co_spawn(executor_, accept(acceptor, context), asio::detached);
   }
 }
 
@@ -40,30 +40,30 @@ void Listener::stop() {
   for (const auto& session : turned_away_) session->close();
 }
 
-asio::awaitable<void> Listener::accept(wire::Acceptor& acceptor, House& house) {
+asio::awaitable<void> Listener::accept(wire::Acceptor& acceptor, ServiceContext& context) {
   asio::steady_timer timer(executor_);
   while (!stopped_) {
     auto [error, socket] = co_await acceptor.accept();
     if (stopped_) break;
     if (!error) {
-      admit(std::move(socket), house);
+      admit(std::move(socket), context);
       continue;
     }
     spdlog::warn("can't accept a connection: {}", error.message());
-    timer.expires_after(rest);
+    timer.expires_after(accept_pause);
     co_await timer.async_wait(asio::as_tuple(asio::use_awaitable));
   }
 }
 
-void Listener::admit(wire::Socket socket, House& house) {
+void Listener::admit(wire::Socket socket, ServiceContext& context) {
   const bool full = sessions_.size() >= max_sessions;
-  // Even those who are told so are counted: the next ones find a closed door.
+  // Even those who are told so are counted: further connections are closed without a word.
   if (full && turned_away_.size() >= max_sessions) return;
   auto& list = full ? turned_away_ : sessions_;
   const auto remove = [&list](const Session& gone) {
     std::erase_if(list, [&](const auto& session) { return session.get() == &gone; });
   };
-  list.push_back(std::make_shared<Session>(std::move(socket), house, remove));
+  list.push_back(std::make_shared<Session>(std::move(socket), context, remove));
   if (!full) return list.back()->start();
   list.back()->turn_away(
       {v1::Error::LIMIT,

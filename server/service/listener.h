@@ -11,25 +11,25 @@
 
 namespace metamer::service {
 
-/// The open doors and the sessions that came through them.
+/// The listening sockets and the sessions of those who connected.
 class Listener {
  public:
   explicit Listener(const asio::any_io_executor& executor) : executor_(executor) {}
 
-  /// Opens a door. Errors: see wire::Acceptor::listen.
+  /// Opens a listening socket. Errors: see wire::Acceptor::listen.
   Result<void> open(const wire::Endpoint& endpoint);
-  /// The open doors, with the ports that the kernel chose.
+  /// Where it listens, with the ports that the kernel chose.
   std::vector<wire::Endpoint> endpoints() const;
-  /// Begins to let clients in. `house` must outlive the listener.
-  void start(House& house);
-  /// Closes the doors and ends all sessions.
+  /// Begins to accept clients. `context` must outlive the listener.
+  void start(ServiceContext& context);
+  /// Closes the listening sockets and ends all sessions.
   void stop();
 
   std::uint32_t sessions() const { return static_cast<std::uint32_t>(sessions_.size()); }
 
  private:
-  asio::awaitable<void> accept(wire::Acceptor& acceptor, House& house);
-  void admit(wire::Socket socket, House& house);
+  asio::awaitable<void> accept(wire::Acceptor& acceptor, ServiceContext& context);
+  void admit(wire::Socket socket, ServiceContext& context);
 
   asio::any_io_executor executor_;
   std::list<wire::Acceptor> acceptors_;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "server/service/folders.h"
-#include "server/service/lifeline.h"
+#include "server/service/parent_watch.h"
 #include "server/service/service.h"
 
 namespace {
@@ -104,13 +104,13 @@ int run(const CommandLine& line, service::ServiceOptions options) {
   boost::asio::io_context context(1);
   service::Service service(context, std::move(options));
   boost::asio::signal_set signals(context, SIGINT, SIGTERM);
-  std::optional<service::Lifeline> lifeline;
+  std::optional<service::ParentWatch> parent;
 
   // End once: for a signal, or because the client is gone.
   const auto end = [&] {
     boost::system::error_code ignored;
     signals.cancel(ignored);
-    if (lifeline) lifeline->close();
+    if (parent) parent->close();
     service.stop();
   };
   signals.async_wait([&](boost::system::error_code cancelled, int number) {
@@ -118,10 +118,10 @@ int run(const CommandLine& line, service::ServiceOptions options) {
     spdlog::info("ending for signal {}", number);
     end();
   });
-  if (line.parent_fd >= 0) lifeline.emplace(context.get_executor(), line.parent_fd, end);
+  if (line.parent_fd >= 0) parent.emplace(context.get_executor(), line.parent_fd, end);
 
   if (auto started = service.start(); !started) return fail(exit_failure, started.error());
-  if (lifeline) lifeline->ready();
+  if (parent) parent->ready();
   context.run();
   return exit_ok;
 }

@@ -31,13 +31,13 @@ Result<void> Service::start() {
   auto store = AssetStore::open(options_.store, options_.store_bytes);
   if (!store) return tl::unexpected(store.error());
   store_ = *std::move(store);
-  house_ = std::make_unique<House>(
-      House{*store_, queue_, views_, cpu_, gl_, [this] { return listener_.sessions(); }});
+  service_context_ = std::make_unique<ServiceContext>(
+      ServiceContext{*store_, queue_, views_, cpu_, gl_, [this] { return listener_.sessions(); }});
   for (const wire::Endpoint& endpoint : options_.listen) {
     if (auto opened = listener_.open(endpoint); !opened) return opened;
   }
   cpu_.start();
-  listener_.start(*house_);
+  listener_.start(*service_context_);
   return {};
 }
 

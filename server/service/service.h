@@ -28,8 +28,8 @@ class Service {
  public:
   Service(asio::io_context& context, ServiceOptions options);
 
-  /// Opens the store and the doors, and starts the worker. Errors: a store that can't be used, an
-  /// endpoint in use.
+  /// Opens the store and the listening sockets, and starts the worker. Errors: a store that can't
+  /// be used, an endpoint in use.
   Result<void> start();
   /// Closes everything; `context` then runs out of work.
   void stop();
@@ -43,7 +43,7 @@ class Service {
   JobQueue queue_;
   Views views_;
   Supervisor cpu_, gl_;
-  std::unique_ptr<House> house_;
+  std::unique_ptr<ServiceContext> service_context_;
   Listener listener_;
 };
 

@@ -19,13 +19,13 @@ v1::Envelope error_envelope(v1::Error::Code code, const std::string& message) {
 
 }  // namespace
 
-Session::Session(wire::Socket socket, House& house, Gone gone)
+Session::Session(wire::Socket socket, ServiceContext& context, Gone gone)
     : channel_(std::move(socket), wire::Peer::client),
-      house_(house),
+      context_(context),
       gone_(std::move(gone)),
       watches_([this] { sendable_.cancel(); }),
       views_([this] { sendable_.cancel(); }, [this](View& view) { close_view(view); }),
-      dispatch_(house, watches_, views_),
+      dispatch_(context, watches_, views_),
       sendable_(channel_.executor(), never),
       room_(channel_.executor(), never),
       timeout_(channel_.executor(), never) {}
@@ -83,10 +83,10 @@ asio::awaitable<void> Session::read_requests() {
       co_return;
     }
     // Welcome says what the workers can do; they say so soon after the start.
-    if (request.has_hello()) co_await house_.cpu.wait_for_capabilities();
+    if (request.has_hello()) co_await context_.cpu.wait_for_capabilities();
     if (request.has_get_info()) {
-      house_.gl.start();
-      co_await house_.gl.wait_for_capabilities();
+      context_.gl.start();
+      co_await context_.gl.wait_for_capabilities();
     }
     handle(std::move(request));
     while (answers_.size() >= max_unsent_answers && channel_.is_open()) {
@@ -133,7 +133,7 @@ std::optional<v1::Envelope> Session::next_to_send() {
 
 /// Its client has had its last event, or is gone: then the worker has not heard of it yet.
 void Session::close_view(View& view) {
-  if (!view.ended()) house_.worker_of(view.backend()).tell(view.closing());
+  if (!view.ended()) context_.worker_of(view.backend()).tell(view.closing());
 }
 
 asio::awaitable<void> Session::write_answers() {

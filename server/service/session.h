@@ -18,7 +18,7 @@ class Session : public std::enable_shared_from_this<Session> {
  public:
   /// `gone` is called once, when the session has ended.
   using Gone = std::function<void(const Session&)>;
-  Session(wire::Socket socket, House& house, Gone gone);
+  Session(wire::Socket socket, ServiceContext& context, Gone gone);
 
   void start();
   /// Sends one Error and ends.
@@ -36,7 +36,7 @@ class Session : public std::enable_shared_from_this<Session> {
   void close_view(View& view);
 
   wire::Channel channel_;
-  House& house_;
+  ServiceContext& context_;
   Gone gone_;
   Watches watches_;
   ViewStreams views_;

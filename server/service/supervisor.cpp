@@ -197,7 +197,7 @@ void Supervisor::send_stop() {
 void Supervisor::job_is_over() {
   if (job_->ended()) {
     spdlog::info("job {} {}", job_->id(), word(job_->state()));
-    // A cancelled job is off the queue's books already.
+    // The queue counted a cancelled job as ended already.
     if (job_->state() != v1::CANCELLED) queue_.ended(*job_);
   }
   job_.reset();

@@ -26,8 +26,8 @@ TileGrid::TileGrid(std::uint32_t width, std::uint32_t height, std::uint32_t tile
   std::sort(keys.begin(), keys.end());
   order_.reserve(keys.size());
   for (const std::uint64_t key : keys) order_.push_back(static_cast<std::uint32_t>(key));
-  place_.resize(order_.size());
-  for (std::uint32_t i = 0; i < size(); ++i) place_[order_[i]] = i;
+  rank_.resize(order_.size());
+  for (std::uint32_t i = 0; i < size(); ++i) rank_[order_[i]] = i;
 }
 
 Rect TileGrid::rect(std::uint32_t index) const {
@@ -38,7 +38,7 @@ Rect TileGrid::rect(std::uint32_t index) const {
 
 std::optional<std::uint32_t> TileGrid::find(const Rect& wanted) const {
   if (wanted.x >= width_ || wanted.y >= height_) return std::nullopt;
-  const std::uint32_t index = place_[wanted.y / tile_size_ * columns_ + wanted.x / tile_size_];
+  const std::uint32_t index = rank_[wanted.y / tile_size_ * columns_ + wanted.x / tile_size_];
   if (rect(index) != wanted) return std::nullopt;
   return index;
 }

@@ -36,7 +36,7 @@ class TileGrid {
   std::uint32_t tile_size_ = 1;
   std::uint32_t columns_ = 0;
   std::vector<std::uint32_t> order_;  // cells, row by row from the top left, in rendering order
-  std::vector<std::uint32_t> place_;  // of each cell in order_
+  std::vector<std::uint32_t> rank_;   // of each cell: its index in order_
 };
 
 inline Rect to_rect(const v1::TileRect& message) {

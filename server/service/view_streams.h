@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "metamer/v1/envelope.pb.h"
@@ -19,7 +20,9 @@ class ViewStreams {
 
   std::size_t size() const { return streams_.size(); }
   const std::function<void()>& wake() const { return wake_; }
-  void add(std::uint64_t request_id, ViewPtr view) { streams_.push_back({request_id, view}); }
+  void add(std::uint64_t request_id, ViewPtr view) {
+    streams_.push_back({request_id, std::move(view)});
+  }
   /// Null: this session has no such view.
   ViewPtr find(std::uint64_t view_id) const;
   void clear();

@@ -19,8 +19,9 @@ namespace metamer::service {
 
 namespace {
 
-constexpr int socket_there = 3;
-constexpr int film_there = 4;
+// The child's descriptors.
+constexpr int child_socket = 3;
+constexpr int child_film = 4;
 /// A worker that has closed its socket is about to exit; if not by then, it is ended.
 constexpr std::chrono::seconds exit_grace{1};
 
@@ -60,9 +61,9 @@ int start(const WorkerCommand& command, int socket, int film, pid_t& pid) {
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, socket, socket_there);
-  posix_spawn_file_actions_adddup2(&actions, film, film_there);
-  posix_spawn_file_actions_addclosefrom_np(&actions, film_there + 1);
+  posix_spawn_file_actions_adddup2(&actions, socket, child_socket);
+  posix_spawn_file_actions_adddup2(&actions, film, child_film);
+  posix_spawn_file_actions_addclosefrom_np(&actions, child_film + 1);
 
   // In a group of its own: Ctrl-C in a terminal is the daemon's to hear, and signals that the
   // daemon has blocked or ignored mean nothing there.
@@ -144,7 +145,7 @@ WorkerProcess::~WorkerProcess() {
 
 void WorkerProcess::run() {
   const auto self = shared_from_this();
-  const auto keep = [self](std::exception_ptr error) {
+  const auto keep = [self](const std::exception_ptr& error) {
     if (error) std::rethrow_exception(error);
   };
   asio::co_spawn(channel_.executor(), read_messages(), keep);
@@ -167,7 +168,7 @@ asio::awaitable<void> WorkerProcess::read_messages() {
       }
       break;
     }
-    // A process that is being ended has nothing to say any more.
+    // What a process says that is being ended is not heard.
     if (kill_reason_.empty() && handlers_.message) handlers_.message(std::move(message));
   }
   reading_ = false;
@@ -189,7 +190,7 @@ asio::awaitable<void> WorkerProcess::write_messages() {
     const v1::WorkerEnvelope message = std::move(unsent_.front());
     unsent_.pop_front();
     const auto sent = co_await channel_.write(message);
-    // A worker that can't be written to is on its way out; its exit says why.
+    // A worker that can't be written to is about to exit; its exit says why.
     if (!sent) co_return;
   }
 }

@@ -45,9 +45,9 @@ Daemon::Daemon(Listens listens, std::vector<std::string> options) {
   std::array<int, 2> pair{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair.data()) != 0)
     throw std::runtime_error("no socket pair");
-  lifeline_ = pair[0];
+  pair_end_ = pair[0];
   ProcessOptions how;
-  how.lifeline = pair[1];
+  how.parent_fd = pair[1];
   how.environment["TMPDIR"] = folder_.path();
   // Little is logged: nobody reads the pipe before the end.
   process_ = std::make_unique<Process>(
@@ -58,13 +58,13 @@ Daemon::Daemon(Listens listens, std::vector<std::string> options) {
   close(pair[1]);
 
   std::array<char, 6> ready{};
-  if (recv(lifeline_, ready.data(), ready.size(), MSG_WAITALL) != 6)
+  if (recv(pair_end_, ready.data(), ready.size(), MSG_WAITALL) != 6)
     throw std::runtime_error("metamerd did not start: " + process_->wait().err);
 }
 
 Daemon::~Daemon() {
   // An orderly end takes the daemon's folders and its worker along.
-  close(lifeline_);
+  close(pair_end_);
   process_->signal(SIGCONT);
   process_->wait();
 }

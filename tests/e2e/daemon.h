@@ -43,7 +43,7 @@ class Daemon {
   Folder folder_;
   std::string address_, socket_path_;
   std::uint16_t port_ = 0;
-  int lifeline_ = -1;
+  int pair_end_ = -1;
   std::unique_ptr<Process> process_;
 };
 

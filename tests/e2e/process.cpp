@@ -94,7 +94,7 @@ Process::Process(std::vector<std::string> words, const ProcessOptions& options) 
   posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, out[1], 1);
   posix_spawn_file_actions_adddup2(&actions, err[1], 2);
-  if (options.lifeline >= 0) posix_spawn_file_actions_adddup2(&actions, options.lifeline, 3);
+  if (options.parent_fd >= 0) posix_spawn_file_actions_adddup2(&actions, options.parent_fd, 3);
   if (!options.folder.empty())
     posix_spawn_file_actions_addchdir_np(&actions, options.folder.c_str());
 

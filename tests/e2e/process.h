@@ -13,7 +13,7 @@ namespace metamer::test {
 struct ProcessOptions {
   std::map<std::string, std::string> environment;  ///< In addition to ours.
   std::string folder;                              ///< Where it runs; empty: here.
-  int lifeline = -1;                               ///< Becomes its descriptor 3; -1: none.
+  int parent_fd = -1;                              ///< Becomes its descriptor 3; -1: none.
 };
 
 /// What a program said and how it ended.

@@ -22,7 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A metamerd with the fake worker, stderr in a file, and a lifeline as its descriptor 3.
+/// A metamerd with the fake worker, stderr in a file, and one end of a socket pair as its
+/// descriptor 3.
 class Program {
  public:
   explicit Program(const fs::path& folder, std::vector<std::string> options)
@@ -38,7 +39,7 @@ class Program {
 
     int pair[2];
     EXPECT_EQ(::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair), 0);
-    lifeline_ = ::fcntl(pair[0], F_DUPFD_CLOEXEC, 10);
+    pair_end_ = ::fcntl(pair[0], F_DUPFD_CLOEXEC, 10);
     const int theirs = ::fcntl(pair[1], F_DUPFD_CLOEXEC, 10);
     ::close(pair[0]);
     ::close(pair[1]);
@@ -57,15 +58,15 @@ class Program {
   }
   Program(const Program&) = delete;
 
-  /// What the daemon says on its lifeline; empty when it ends first.
+  /// What the daemon says on that; empty when it ends first.
   std::string ready() {
     char line[16];
-    const ssize_t got = ::recv(lifeline_, line, sizeof line, 0);
+    const ssize_t got = ::recv(pair_end_, line, sizeof line, 0);
     return got > 0 ? std::string(line, static_cast<std::size_t>(got)) : "";
   }
   void hang_up() {
-    if (lifeline_ >= 0) ::close(lifeline_);
-    lifeline_ = -1;
+    if (pair_end_ >= 0) ::close(pair_end_);
+    pair_end_ = -1;
   }
   void signal(int number) { ::kill(pid_, number); }
   int wait() {
@@ -81,7 +82,7 @@ class Program {
 
  private:
   fs::path log_;
-  int lifeline_ = -1;
+  int pair_end_ = -1;
   pid_t pid_ = -1;
 };
 

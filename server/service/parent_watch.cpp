@@ -1,4 +1,4 @@
-#include "server/service/lifeline.h"
+#include "server/service/parent_watch.h"
 
 #include <string_view>
 #include <utility>
@@ -7,27 +7,27 @@ namespace metamer::service {
 
 namespace asio = boost::asio;
 
-Lifeline::Lifeline(asio::any_io_executor executor, int fd, std::function<void()> cut)
-    : stream_(std::move(executor), fd), cut_(std::move(cut)) {}
+ParentWatch::ParentWatch(asio::any_io_executor executor, int fd, std::function<void()> gone)
+    : stream_(std::move(executor), fd), gone_(std::move(gone)) {}
 
-void Lifeline::ready() {
+void ParentWatch::ready() {
   constexpr std::string_view word = "ready\n";
   boost::system::error_code error;
   asio::write(stream_, asio::buffer(word), error);
-  if (error) return cut_();
+  if (error) return gone_();
   wait();
 }
 
-void Lifeline::close() {
+void ParentWatch::close() {
   boost::system::error_code ignored;
   stream_.close(ignored);
 }
 
-void Lifeline::wait() {
+void ParentWatch::wait() {
   stream_.async_read_some(asio::buffer(&received_, 1),
                           [this](boost::system::error_code error, std::size_t) {
                             if (error == asio::error::operation_aborted) return;
-                            if (error) return cut_();
+                            if (error) return gone_();
                             wait();
                           });
 }
