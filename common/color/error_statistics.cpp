@@ -9,10 +9,10 @@ namespace {
 
 /// The `share` (0 to 1) of a sorted list.
 double quantile(const std::vector<double>& sorted, double share) {
-  const double place = share * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
+  const double position = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(position);
   const double above = sorted[std::min(below + 1, sorted.size() - 1)];
-  return sorted[below] + (place - static_cast<double>(below)) * (above - sorted[below]);
+  return sorted[below] + (position - static_cast<double>(below)) * (above - sorted[below]);
 }
 
 }  // namespace

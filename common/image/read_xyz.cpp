@@ -14,7 +14,7 @@ namespace metamer {
 namespace {
 
 namespace fs = std::filesystem;
-using Places = std::array<std::size_t, 3>;
+using ChannelIndices = std::array<std::size_t, 3>;
 
 std::optional<std::size_t> find(const std::vector<std::string>& channels, const char* name) {
   const auto found = std::find(channels.begin(), channels.end(), name);
@@ -23,26 +23,26 @@ std::optional<std::size_t> find(const std::vector<std::string>& channels, const 
 }
 
 /// Where the three channels are; nothing when one is missing.
-std::optional<Places> find_all(const std::vector<std::string>& channels,
-                               const std::array<const char*, 3>& names) {
-  Places places{};
+std::optional<ChannelIndices> find_all(const std::vector<std::string>& channels,
+                                       const std::array<const char*, 3>& names) {
+  ChannelIndices indices{};
   for (std::size_t c = 0; c < 3; ++c) {
-    const auto place = find(channels, names[c]);
-    if (!place) return std::nullopt;
-    places[c] = *place;
+    const auto index = find(channels, names[c]);
+    if (!index) return std::nullopt;
+    indices[c] = *index;
   }
-  return places;
+  return indices;
 }
 
-/// X Y Z of every pixel, by `convert` from the values at three places.
+/// X Y Z of every pixel, by `convert` from the values of three channels.
 template <class Convert>
-Image converted(const Image& from, const Places& places, const Convert& convert) {
+Image converted(const Image& from, const ChannelIndices& indices, const Convert& convert) {
   Image result = make_image(from.width, from.height, {"X", "Y", "Z"});
   const std::size_t channels = from.channels.size(), pixels = result.pixels.size() / 3;
   for (std::size_t i = 0; i < pixels; ++i) {
     const float* pixel = from.pixels.data() + i * channels;
     const Xyz xyz =
-        convert(std::array<double, 3>{pixel[places[0]], pixel[places[1]], pixel[places[2]]});
+        convert(std::array<double, 3>{pixel[indices[0]], pixel[indices[1]], pixel[indices[2]]});
     for (std::size_t c = 0; c < 3; ++c) result.pixels[3 * i + c] = static_cast<float>(xyz[c]);
   }
   return result;
@@ -71,16 +71,16 @@ Result<XyzPicture> from_png(const Image& image, const ImageHeader& header) {
   if (const auto alpha = find(image.channels, "A"))
     for (std::size_t i = *alpha; i < image.pixels.size(); i += image.channels.size())
       if (image.pixels[i] != 1) return problem("the picture has transparent pixels");
-  auto places = find_all(image.channels, {"R", "G", "B"});
-  if (!places) places = find_all(image.channels, {"Y", "Y", "Y"});
-  if (!places) return problem("the picture is neither grey nor RGB");
+  auto indices = find_all(image.channels, {"R", "G", "B"});
+  if (!indices) indices = find_all(image.channels, {"Y", "Y", "Y"});
+  if (!indices) return problem("the picture is neither grey nor RGB");
   const auto written = written_space(header.rgb_space);
   if (header.has_profile && !written)
     return problem("the picture has an ICC profile of its own: convert it to sRGB first");
   const RgbSpace& space = written ? written->first : srgb::space();
   const Transfer& transfer = written ? written->second : space.transfer;
   XyzPicture result;
-  result.image = converted(image, *places, [&](Rgb value) {
+  result.image = converted(image, *indices, [&](Rgb value) {
     for (double& one : value) one = decode(transfer, one);
     return multiply(space.to_xyz, value);
   });
@@ -90,13 +90,13 @@ Result<XyzPicture> from_png(const Image& image, const ImageHeader& header) {
 
 Result<XyzPicture> from_exr(const Image& image, const ImageHeader& header) {
   XyzPicture result;
-  if (const auto places = find_all(image.channels, {"X", "Y", "Z"})) {
-    result.image = converted(image, *places, [](const Xyz& xyz) { return xyz; });
+  if (const auto indices = find_all(image.channels, {"X", "Y", "Z"})) {
+    result.image = converted(image, *indices, [](const Xyz& xyz) { return xyz; });
     result.what = "X Y Z";
     return result;
   }
-  const auto places = find_all(image.channels, {"R", "G", "B"});
-  if (!places) {
+  const auto indices = find_all(image.channels, {"R", "G", "B"});
+  if (!indices) {
     std::string names;
     for (std::size_t c = 0; c < std::min<std::size_t>(4, image.channels.size()); ++c)
       names += (c ? ", " : "") + quoted(image.channels[c]);
@@ -110,14 +110,14 @@ Result<XyzPicture> from_exr(const Image& image, const ImageHeader& header) {
                                  header.chromaticities.begin());
   if (!other) {
     result.image =
-        converted(image, *places, [](const srgb::Rgb& rgb) { return srgb::to_xyz(rgb); });
+        converted(image, *indices, [](const srgb::Rgb& rgb) { return srgb::to_xyz(rgb); });
     result.what = "linear sRGB";
     return result;
   }
   const auto space = space_of(header.chromaticities);
   if (!space) return tl::unexpected<Problem>(space.error());
   result.image =
-      converted(image, *places, [&](const Rgb& rgb) { return multiply(space->to_xyz, rgb); });
+      converted(image, *indices, [&](const Rgb& rgb) { return multiply(space->to_xyz, rgb); });
   result.what = "linear RGB of the file's own primaries";
   return result;
 }

@@ -29,17 +29,17 @@ class Collector {
 
   void add_mesh(const v1::Mesh& mesh, const std::string& field) {
     const bool gltf = has_extension(mesh.file(), ".gltf");
-    const std::string place = field + ".file";
-    const Asset* asset = add(mesh.file(), place, gltf ? max_gltf_text : limits::max_asset);
+    const std::string path = field + ".file";
+    const Asset* asset = add(mesh.file(), path, gltf ? max_gltf_text : limits::max_asset);
     if (asset == nullptr || !gltf) return;
 
     // A .gltf names further files.
     const auto text = read_file(asset->path, max_gltf_text);
-    if (!text) return findings_.add(place, "file " + quoted(mesh.file()) + " can't be read");
+    if (!text) return findings_.add(path, "file " + quoted(mesh.file()) + " can't be read");
     const auto buffers = gltf_buffers(*text, mesh.file());
-    if (!buffers) return findings_.add(place, buffers.error().message);
+    if (!buffers) return findings_.add(path, buffers.error().message);
     for (const std::string& buffer : *buffers) {
-      add(buffer, place, limits::max_asset, quoted(mesh.file()) + " names a buffer: ");
+      add(buffer, path, limits::max_asset, quoted(mesh.file()) + " names a buffer: ");
     }
   }
 

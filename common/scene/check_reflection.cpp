@@ -40,24 +40,24 @@ void check_slopes(const v1::Material& material, const std::string& field, Findin
   const std::size_t before = findings.size();
   double sum = 0;
   for (int i = 0; i < material.slope_size(); ++i) {
-    const std::string place = indexed(field + ".slope", static_cast<std::size_t>(i));
+    const std::string path = indexed(field + ".slope", static_cast<std::size_t>(i));
     if (static_cast<std::size_t>(i) == models::max_slopes) {
-      findings.add(place, "a material may have at most " + std::to_string(models::max_slopes) +
-                              " slopes (it has " + std::to_string(material.slope_size()) + ")");
+      findings.add(path, "a material may have at most " + std::to_string(models::max_slopes) +
+                             " slopes (it has " + std::to_string(material.slope_size()) + ")");
       return;
     }
     const v1::Slope& slope = material.slope(i);
     const double weight = slope.has_weight() ? slope.weight() : 1;
-    check_range(weight, 0, 1, place + ".weight", findings);
+    check_range(weight, 0, 1, path + ".weight", findings);
     sum += weight;
     const ChosenPart part = chosen_slope(slope);
     if (part.entry == nullptr) {
       std::vector<std::string> names;
       for (const Entry& entry : models::registry(models::Kind::slope))
         names.emplace_back(entry.name);
-      findings.add(place, "slope needs a distribution: " + join(names));
+      findings.add(path, "slope needs a distribution: " + join(names));
     } else {
-      check_parameters(part, place, findings);
+      check_parameters(part, path, findings);
     }
   }
   if (findings.size() == before && std::abs(sum - 1) > 1e-6) {

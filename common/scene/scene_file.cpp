@@ -13,7 +13,7 @@
 
 #include "common/scene/files.h"
 #include "common/scene/text_errors.h"
-#include "common/scene/text_places.h"
+#include "common/scene/text_positions.h"
 
 namespace metamer {
 
@@ -61,10 +61,10 @@ std::optional<Step> take_step(std::string_view& path) {
   return step;
 }
 
-std::optional<TextPlace> place_of(const Tree& tree, const FieldDescriptor& field, int index) {
+std::optional<TextPosition> position_of(const Tree& tree, const FieldDescriptor& field, int index) {
   const auto location = tree.GetLocation(&field, index);
   if (location.line < 0) return std::nullopt;
-  return TextPlace{location.line, location.column};
+  return TextPosition{location.line, location.column};
 }
 
 }  // namespace
@@ -77,30 +77,32 @@ struct SceneFile::State {
   TextLists lists;
   Tree tree;
 
-  std::optional<TextPlace> locate(std::string_view path) const;
-  std::optional<TextPlace> element(const Tree& tree, const FieldDescriptor& field, int index) const;
+  std::optional<TextPosition> locate(std::string_view path) const;
+  std::optional<TextPosition> element(const Tree& tree, const FieldDescriptor& field,
+                                      int index) const;
 };
 
 /// Where element `index` of a repeated field stands.
-std::optional<TextPlace> SceneFile::State::element(const Tree& parent, const FieldDescriptor& field,
-                                                   int index) const {
-  if (!lists.names.contains(field.name())) return place_of(parent, field, index);
+std::optional<TextPosition> SceneFile::State::element(const Tree& parent,
+                                                      const FieldDescriptor& field,
+                                                      int index) const {
+  if (!lists.names.contains(field.name())) return position_of(parent, field, index);
 
   // Count through the field's appearances, each a single value or a list.
   std::size_t left = static_cast<std::size_t>(index);
   for (int i = 0;; ++i) {
-    const auto place = place_of(parent, field, i);
-    if (!place) return std::nullopt;
-    const auto list = lists.elements.find(*place);
+    const auto position = position_of(parent, field, i);
+    if (!position) return std::nullopt;
+    const auto list = lists.elements.find(*position);
     const bool single = list == lists.elements.end();
     const std::size_t count = single ? 1 : list->second.size();
-    if (left < count) return single ? *place : list->second[left];
+    if (left < count) return single ? *position : list->second[left];
     left -= count;
   }
 }
 
-std::optional<TextPlace> SceneFile::State::locate(std::string_view path) const {
-  std::optional<TextPlace> nearest;
+std::optional<TextPosition> SceneFile::State::locate(std::string_view path) const {
+  std::optional<TextPosition> nearest;
   const Tree* parent = &tree;
   const Descriptor* type = v1::Scene::descriptor();
   while (!path.empty() && parent != nullptr && type != nullptr) {
@@ -113,10 +115,10 @@ std::optional<TextPlace> SceneFile::State::locate(std::string_view path) const {
 
     // A repeated field without an index means all of it: it stands where its first one does.
     const int index = field->is_repeated() ? step->index.value_or(0) : -1;
-    const auto place =
-        field->is_repeated() ? element(*parent, *field, index) : place_of(*parent, *field, index);
-    if (!place) break;
-    nearest = place;
+    const auto position = field->is_repeated() ? element(*parent, *field, index)
+                                               : position_of(*parent, *field, index);
+    if (!position) break;
+    nearest = position;
 
     // Go into it.
     type = field->message_type();
@@ -151,11 +153,12 @@ Result<SceneFile> SceneFile::parse(std::string text, std::string file) {
                                                 static_cast<int>(state->text.size()));
   if (!parser.Parse(&stream, &state->scene)) {
     const TextError raw = errors.first.value_or(TextError{{}, "the text can't be read"});
-    const TextError error = reword(raw.message, raw.place, state->text, *v1::Scene::descriptor());
+    const TextError error =
+        reword(raw.message, raw.position, state->text, *v1::Scene::descriptor());
     return tl::unexpected(Problem{.field = {},
                                   .file = state->file,
-                                  .line = error.place.line + 1,
-                                  .column = state->lines.column(state->text, error.place),
+                                  .line = error.position.line + 1,
+                                  .column = state->lines.column(state->text, error.position),
                                   .message = error.message});
   }
   state->lists = find_lists(state->text);
@@ -176,9 +179,9 @@ const std::string& SceneFile::file() const { return state_->file; }
 Problem SceneFile::locate(Problem problem) const {
   if (!problem.file.empty()) return problem;
   problem.file = state_->file;
-  if (const auto place = state_->locate(problem.field)) {
-    problem.line = place->line + 1;
-    problem.column = state_->lines.column(state_->text, *place);
+  if (const auto position = state_->locate(problem.field)) {
+    problem.line = position->line + 1;
+    problem.column = state_->lines.column(state_->text, *position);
   }
   return problem;
 }

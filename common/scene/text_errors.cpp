@@ -58,7 +58,7 @@ std::string no_such_value(const std::string& field, const std::string& value,
          did_you_mean(value, known);
 }
 
-/// What is left: protobuf's sentence in the house's form.
+/// What is left: protobuf's sentence in the form of our own.
 std::string plain(std::string message) {
   if (message.ends_with('.')) message.pop_back();
   if (!message.empty()) {
@@ -69,11 +69,11 @@ std::string plain(std::string message) {
 
 }  // namespace
 
-TextError reword(std::string_view message, TextPlace place, std::string_view text,
+TextError reword(std::string_view message, TextPosition position, std::string_view text,
                  const Descriptor& root) {
   // Names are reported at the token after them; go back to the name.
   const auto at_name = [&](const std::string& name, std::string reworded) {
-    return TextError{last_identifier(text, name, place).value_or(place), std::move(reworded)};
+    return TextError{last_identifier(text, name, position).value_or(position), std::move(reworded)};
   };
   if (const auto m = match(message, "Message type \"*\" has no field named \"*\".")) {
     return at_name(m->at(1), no_such_field(m->at(0), m->at(1), root));
@@ -92,30 +92,30 @@ TextError reword(std::string_view message, TextPlace place, std::string_view tex
 
   // The rest are reported where they are.
   if (const auto m = match(message, "Expected identifier, got: *")) {
-    return {place, "expected a field's name" + found(m->at(0))};
+    return {position, "expected a field's name" + found(m->at(0))};
   }
   if (const auto m = match(message, "Expected integer, got: *")) {
-    return {place, "expected a whole number" + found(m->at(0))};
+    return {position, "expected a whole number" + found(m->at(0))};
   }
   if (const auto m = match(message, "Expected double, got: *")) {
-    return {place, "expected a number" + found(m->at(0))};
+    return {position, "expected a number" + found(m->at(0))};
   }
   if (const auto m = match(message, "Expect a decimal number, got: *")) {
-    return {place, "expected a decimal number" + found(m->at(0))};
+    return {position, "expected a decimal number" + found(m->at(0))};
   }
   if (const auto m = match(message, "Expected string, got: *")) {
-    return {place, "expected text in quotes" + found(m->at(0))};
+    return {position, "expected text in quotes" + found(m->at(0))};
   }
   if (const auto m = match(message, "Expected integer or identifier, got: *")) {
-    return {place, "expected the name of a value" + found(m->at(0))};
+    return {position, "expected the name of a value" + found(m->at(0))};
   }
   if (const auto m = match(message, "Expected \"*\", found \"*\".")) {
-    return {place, "expected " + quoted(m->at(0)) + found(m->at(1))};
+    return {position, "expected " + quoted(m->at(0)) + found(m->at(1))};
   }
   if (const auto m = match(message, "Integer out of range (*)")) {
-    return {place, m->at(0) + " is too large"};
+    return {position, m->at(0) + " is too large"};
   }
-  return {place, plain(std::string(message))};
+  return {position, plain(std::string(message))};
 }
 
 }  // namespace metamer

@@ -5,18 +5,18 @@
 #include <string>
 #include <string_view>
 
-#include "common/scene/text_places.h"
+#include "common/scene/text_positions.h"
 
 namespace metamer {
 
-/// An error of protobuf's text format parser in our words, at the place that is at fault.
+/// An error of protobuf's text format parser in our words, at the position that is at fault.
 struct TextError {
-  TextPlace place;
+  TextPosition position;
   std::string message;
 };
 
-/// `message` at `place` as the parser gave them, `root` the message that `text` was read as.
-TextError reword(std::string_view message, TextPlace place, std::string_view text,
+/// `message` at `position` as the parser gave them, `root` the message that `text` was read as.
+TextError reword(std::string_view message, TextPosition position, std::string_view text,
                  const google::protobuf::Descriptor& root);
 
 }  // namespace metamer

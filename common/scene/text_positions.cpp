@@ -1,4 +1,4 @@
-#include "common/scene/text_places.h"
+#include "common/scene/text_positions.h"
 
 #include <google/protobuf/io/tokenizer.h>
 #include <google/protobuf/io/zero_copy_stream_impl_lite.h>
@@ -32,7 +32,7 @@ class Tokens {
     return current().type == Tokenizer::TYPE_SYMBOL && current().text == symbol;
   }
   const std::string& text() { return current().text; }
-  TextPlace place() { return {current().line, current().column}; }
+  TextPosition position() { return {current().line, current().column}; }
 
  private:
   const Tokenizer::Token& current() { return tokenizer_.current(); }
@@ -50,24 +50,24 @@ TextLines::TextLines(std::string_view text) : begins_{0} {
   }
 }
 
-int TextLines::column(std::string_view text, TextPlace place) const {
+int TextLines::column(std::string_view text, TextPosition position) const {
   constexpr int tab_width = 8;
-  const auto line = static_cast<std::size_t>(place.line);
+  const auto line = static_cast<std::size_t>(position.line);
   assert(line < begins_.size());
   const std::size_t begin = begins_[line];
   std::size_t at = begin;
-  for (int column = 0; column < place.column && at < text.size() && text[at] != '\n'; ++at) {
+  for (int column = 0; column < position.column && at < text.size() && text[at] != '\n'; ++at) {
     column += text[at] == '\t' ? tab_width - column % tab_width : 1;
   }
   return static_cast<int>(at - begin) + 1;
 }
 
-std::optional<TextPlace> last_identifier(std::string_view text, std::string_view name,
-                                         TextPlace end) {
-  std::optional<TextPlace> found;
+std::optional<TextPosition> last_identifier(std::string_view text, std::string_view name,
+                                            TextPosition end) {
+  std::optional<TextPosition> found;
   Tokens tokens(text);
-  while (tokens.next() && tokens.place() < end) {
-    if (tokens.is_identifier() && tokens.text() == name) found = tokens.place();
+  while (tokens.next() && tokens.position() < end) {
+    if (tokens.is_identifier() && tokens.text() == name) found = tokens.position();
   }
   return found;
 }
@@ -76,27 +76,27 @@ TextLists find_lists(std::string_view text) {
   TextLists lists;
   struct Open {
     bool list;
-    TextPlace name;
+    TextPosition name;
   };
   std::vector<Open> open;
   std::string name;
-  TextPlace name_place;
+  TextPosition name_position;
   bool element_starts = false;
 
   Tokens tokens(text);
   while (tokens.next()) {
     // A token after "[" or "," of a list is where an element begins.
     if (element_starts && !tokens.is("]")) {
-      lists.elements[open.back().name].push_back(tokens.place());
+      lists.elements[open.back().name].push_back(tokens.position());
     }
     element_starts = false;
 
     if (tokens.is_identifier()) {
       name = tokens.text();
-      name_place = tokens.place();
+      name_position = tokens.position();
     } else if (tokens.is("[")) {
-      open.push_back({true, name_place});
-      lists.elements[name_place];
+      open.push_back({true, name_position});
+      lists.elements[name_position];
       lists.names.insert(name);
       element_starts = true;
     } else if (tokens.is("{") || tokens.is("<")) {
