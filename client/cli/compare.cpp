@@ -13,6 +13,7 @@
 #include "client/cli/report.h"
 #include "common/color/srgb.h"
 #include "common/image/compare.h"
+#include "common/image/picture_file.h"
 #include "common/image/read_xyz.h"
 
 namespace metamer::cli {
@@ -240,9 +241,12 @@ ExitCode compare(const CompareOptions& options) {
     report.error("--output: " + quoted(file) + " does not end in .png");
     return report.finish(ExitCode::bad_input);
   }
-  if (const auto loaded = load_file_formats(); !loaded) {
-    report.problem(loaded.error(), {});
-    return report.finish(ExitCode::other);
+  const bool drawn = !file.empty();
+  if (drawn || format_of(options.a) == "png" || format_of(options.b) == "png") {
+    if (const auto loaded = load_file_formats(); !loaded) {
+      report.problem(loaded.error(), {});
+      return report.finish(ExitCode::other);
+    }
   }
   return report.finish(compare_with(options, report));
 }

@@ -75,10 +75,7 @@ ExitCode check_output(const OutputOptions& options, Report& report) {
     report.error("--exr: " + exr.error().message);
     good = false;
   }
-  // Now, and not after an hour of rendering.
-  const auto loaded = options.files.empty() ? Result<void>() : load_file_formats();
-  if (!loaded) report.problem(loaded.error(), {});
-  return !good ? ExitCode::bad_input : loaded ? ExitCode::done : ExitCode::other;
+  return good ? ExitCode::done : ExitCode::bad_input;
 }
 
 Problem factors_by_gl() {

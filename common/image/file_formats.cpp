@@ -4,6 +4,9 @@
 
 #include <utility>
 
+#include "common/image/exr.h"
+#include "common/image/picture_file.h"
+
 namespace metamer {
 namespace {
 
@@ -17,7 +20,7 @@ Result<const FileFormats*> load() {
           ? reinterpret_cast<decltype(&metamer_file_formats)>(dlsym(module, "metamer_file_formats"))
           : nullptr;
   if (!functions)
-    return problem(std::string("can't load what reads and writes pictures: ") + dlerror());
+    return problem(std::string("can't load what reads a .png and draws legends: ") + dlerror());
   return functions();
 }
 
@@ -33,6 +36,14 @@ auto call(Function FileFormats::*function, Arguments&&... arguments)
   return ((*formats())->*function)(std::forward<Arguments>(arguments)...);
 }
 
+/// Says why nothing can be there to be read; empty: nothing speaks against it.
+std::string objection(const std::filesystem::path& file) {
+  if (format_of(file).empty())
+    return "pictures are read from .png or .exr, not from " + quoted(file.extension().string());
+  std::error_code error;
+  return std::filesystem::exists(file, error) ? "" : "no such file";
+}
+
 }  // namespace
 
 Result<void> load_file_formats() {
@@ -40,33 +51,15 @@ Result<void> load_file_formats() {
   return {};
 }
 
-Result<GamutReport> write_image(const Image& xyz_image, const std::filesystem::path& file, bool xyz,
-                                const std::map<std::string, std::string>& metadata,
-                                const Developing& developing) {
-  return call(&FileFormats::write_image, xyz_image, file, xyz, metadata, developing);
-}
-
-Result<void> write_rgb(int width, int height, std::span<const std::uint8_t> rgb,
-                       const std::filesystem::path& file, const Developing& developing) {
-  return call(&FileFormats::write_rgb, width, height, rgb, file, developing);
-}
-
 Result<ImageHeader> read_header(const std::filesystem::path& file) {
-  return call(&FileFormats::read_header, file);
+  if (const std::string wrong = objection(file); !wrong.empty()) return file_problem(file, wrong);
+  return format_of(file) == "exr" ? read_exr_header(file)
+                                  : call(&FileFormats::read_png_header, file);
 }
 
 Result<Image> read_image(const std::filesystem::path& file) {
-  return call(&FileFormats::read_image, file);
-}
-
-Result<void> write_spectral_exr(const SpectralImage& image, const Image& preview,
-                                const std::filesystem::path& file,
-                                const std::map<std::string, std::string>& metadata) {
-  return call(&FileFormats::write_spectral_exr, image, preview, file, metadata);
-}
-
-Result<std::optional<SpectralImage>> read_spectral_exr(const std::filesystem::path& file) {
-  return call(&FileFormats::read_spectral_exr, file);
+  if (const std::string wrong = objection(file); !wrong.empty()) return file_problem(file, wrong);
+  return format_of(file) == "exr" ? read_exr(file) : call(&FileFormats::read_png, file);
 }
 
 Result<Image> false_color(const Difference& difference, Metric metric, double top,

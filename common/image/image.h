@@ -48,8 +48,8 @@ struct GamutReport {
   std::size_t above = 0;     ///< Pixels with an RGB value above 1.
 };
 
-/// Loads what reading and writing files needs (file_formats.h), which they else do themselves.
-/// Error: the one that they would end with.
+/// Loads what reading a .png and drawing a legend need (file_formats.h), which they else do
+/// themselves. Error: the one that they would end with.
 Result<void> load_file_formats();
 
 /// Writes by the extension of `file`: .png is 8-bit RGB of the space, rounded to nearest, clipped

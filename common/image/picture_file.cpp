@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/image/image.h"
+
 namespace metamer {
 
 std::string format_of(const std::filesystem::path& file) {
@@ -17,6 +19,23 @@ std::string format_of(const std::filesystem::path& file) {
 tl::unexpected<Problem> file_problem(const std::filesystem::path& file, std::string message) {
   return tl::unexpected<Problem>(
       {.field = {}, .file = file.string(), .message = std::move(message)});
+}
+
+std::string first_line(const std::string& text) {
+  const std::string line = text.substr(0, text.find('\n'));
+  return line.empty() ? "no reason given" : line;
+}
+
+Result<void> check_size(const std::filesystem::path& file, int width, int height,
+                        std::size_t channels) {
+  if (width <= 0 || height <= 0 || channels == 0)
+    return file_problem(file, "the picture has no pixels");
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  if (pixels > max_image_values / channels)
+    return file_problem(file, "the picture is too large: " + std::to_string(width) + " × " +
+                                  std::to_string(height) + " × " + std::to_string(channels) +
+                                  " values, at most " + std::to_string(max_image_values));
+  return {};
 }
 
 }  // namespace metamer

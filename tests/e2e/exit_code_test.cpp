@@ -107,7 +107,6 @@ TEST(ExitCode, ThreeWhenThePrivateServerDoesNotStart) {
   // A copy of the client alone has no metamerd beside it, and none in PATH.
   const Folder folder;
   std::filesystem::copy(METAMER_BIN "/metamer", folder / "metamer");
-  std::filesystem::copy(METAMER_BIN "/metamer-file-formats.so", folder.path());
   const std::string scene = folder.write("scene.txtpb", small_scene());
   ProcessOptions options;
   options.environment["PATH"] = folder.path();

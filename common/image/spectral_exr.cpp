@@ -1,17 +1,15 @@
 #include "common/image/spectral_exr.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
 #include <algorithm>
 #include <cassert>
 
 #include "common/color/srgb.h"
-#include "common/image/oiio/shared.h"
+#include "common/image/exr.h"
+#include "common/image/picture_file.h"
 #include "common/image/whole_file.h"
 #include "common/spectral/wavelengths.h"
 
-namespace metamer::oiio {
+namespace metamer {
 namespace {
 
 namespace fs = std::filesystem;
@@ -30,56 +28,30 @@ Result<std::vector<std::string>> channel_names(const SpectralImage& image) {
   return names;
 }
 
-OIIO::ImageSpec make_spectral_spec(const SpectralImage& image, std::vector<std::string> names,
-                                   const std::map<std::string, std::string>& metadata) {
-  OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(names.size()),
-                       OIIO::TypeDesc::FLOAT);
-  spec.channelnames = std::move(names);
-  spec.attribute("compression", "zip");
-  spec.attribute("DateTime", "");  // else the time of writing: the same picture in other bytes
-  spec.attribute("spectralLayoutVersion", "1.0");
-  if (!image.reflectance) spec.attribute("emissiveUnits", radiance_units);
-  spec.attribute("EV", 0.0F);
-  spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8),
-                 srgb_chromaticities.data());
-  for (const auto& [name, text] : metadata) spec.attribute(name, text);
-  return spec;
+ExrDescription describe(const SpectralImage& image, std::vector<std::string> names,
+                        const std::map<std::string, std::string>& metadata) {
+  ExrDescription description{.width = image.width,
+                             .height = image.height,
+                             .channels = std::move(names),
+                             .chromaticities = srgb_chromaticities,
+                             .numbers = {{"EV", 0.0F}},
+                             .texts = metadata};
+  description.texts["spectralLayoutVersion"] = "1.0";
+  if (!image.reflectance) description.texts["emissiveUnits"] = radiance_units;
+  return description;
 }
 
 /// Rows from y to end: R, G, B, then the spectrum, pixel by pixel.
-std::vector<float> interleaved(const SpectralImage& image, const Image& preview, int y, int end) {
+void interleave(const SpectralImage& image, const Image& preview, int y, int end, float* values) {
   const std::size_t bands = image.nm.size();
   const auto width = static_cast<std::size_t>(image.width);
   const std::size_t first = static_cast<std::size_t>(y) * width;
   const std::size_t count = static_cast<std::size_t>(end - y) * width;
-  std::vector<float> values(count * (bands + 3));
   for (std::size_t i = 0; i < count; ++i) {
-    float* const pixel = values.data() + i * (bands + 3);
+    float* const pixel = values + i * (bands + 3);
     to_linear_rgb(srgb::from_xyz_matrix(), preview.pixels.data() + 3 * (first + i), pixel, 1);
     std::copy_n(image.values.data() + (first + i) * bands, bands, pixel + 3);
   }
-  return values;
-}
-
-Result<std::vector<unsigned char>> encode(const SpectralImage& image, const Image& preview,
-                                          const OIIO::ImageSpec& described) {
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput memory(bytes);
-  const auto output = OIIO::ImageOutput::create("exr");
-  if (!output) return problem("can't write exr: " + first_line(OIIO::geterror()));
-  output->threads(1);
-  OIIO::ImageSpec spec = described;
-  OIIO::Filesystem::IOProxy* proxy = &memory;
-  spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-  bool good = output->open("memory.exr", spec);
-  for (int y = 0; good && y < image.height; y += rows_at_a_time) {
-    const int end = std::min(image.height, y + rows_at_a_time);
-    const std::vector<float> rows = interleaved(image, preview, y, end);
-    good = output->write_scanlines(y, end, 0, OIIO::TypeDesc::FLOAT, rows.data());
-  }
-  good = good && output->close();
-  if (!good) return problem("can't encode the picture: " + first_line(output->geterror()));
-  return bytes;
 }
 
 /// A wavelength and where the file keeps it.
@@ -144,14 +116,16 @@ Result<void> write_spectral_exr(const SpectralImage& image, const Image& preview
   if (format_of(file) != "exr")
     return file_problem(
         file, "spectral pictures are written as .exr, not as " + quoted(file.extension().string()));
-  const auto done =
-      channel_names(image)
-          .and_then([&](std::vector<std::string> names) {
-            return encode(image, preview, make_spectral_spec(image, std::move(names), metadata));
-          })
-          .and_then([&](const std::vector<unsigned char>& bytes) {
-            return write_whole_file(file, bytes);
-          });
+  const auto done = channel_names(image)
+                        .and_then([&](std::vector<std::string> names) {
+                          return encode_exr(describe(image, std::move(names), metadata),
+                                            [&](int y, int end, float* values) {
+                                              interleave(image, preview, y, end, values);
+                                            });
+                        })
+                        .and_then([&](const std::vector<unsigned char>& bytes) {
+                          return write_whole_file(file, bytes);
+                        });
   if (!done) return file_problem(file, done.error().message);
   return {};
 }
@@ -189,4 +163,4 @@ Result<std::optional<SpectralImage>> read_spectral_exr(const fs::path& file) {
   return result;
 }
 
-}  // namespace metamer::oiio
+}  // namespace metamer

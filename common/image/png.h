@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "common/problem.h"
+
+namespace metamer {
+
+/// What a PNG of 8-bit RGB says before its pixels.
+struct PngDescription {
+  int width = 0;
+  int height = 0;
+  std::string icc_profile;  ///< What the numbers mean; empty: sRGB, which is said by its name.
+  std::map<std::string, std::string> texts;  ///< UTF-8.
+};
+
+/// The whole file in memory, by libpng. `fill` fills row y; rows are asked for from the top.
+Result<std::vector<unsigned char>> encode_png(
+    const PngDescription& description, const std::function<void(int y, unsigned char* rgb)>& fill);
+
+}  // namespace metamer

@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <cassert>
+
+#include "common/color/eight_bit.h"
+#include "common/image/exr.h"
+#include "common/image/icc.h"
+#include "common/image/image.h"
+#include "common/image/picture_file.h"
+#include "common/image/png.h"
+#include "common/image/whole_file.h"
+
+namespace metamer {
+namespace {
+
+using Bytes = std::vector<unsigned char>;
+
+/// Counts what clipping loses, beyond what rounding to 8 bits does, and fills in the bytes.
+void to_8_bit(const std::vector<float>& rgb, const EightBit& codes, unsigned char* bytes,
+              GamutReport& gamut) {
+  for (std::size_t i = 0; i < rgb.size(); i += 3) {
+    bool negative = false, above = false;
+    for (std::size_t c = 0; c < 3; ++c) {
+      negative = negative || codes.is_below(rgb[i + c]);
+      above = above || codes.is_above(rgb[i + c]);
+      bytes[i + c] = codes(rgb[i + c]);
+    }
+    gamut.negative += negative ? 1 : 0;
+    gamut.above += above ? 1 : 0;
+  }
+}
+
+/// Says what a .png's numbers mean: sRGB by its name, another space by a profile.
+PngDescription describe_png(int width, int height, const Developing& developing,
+                            std::map<std::string, std::string> texts) {
+  const RgbSpace& space = developing.space;
+  texts["metamer:rgb_space"] = space.name + (developing.linear ? ", linear" : "");
+  const bool srgb = space.word == "srgb" && !developing.linear;
+  return {.width = width,
+          .height = height,
+          .icc_profile = srgb ? std::string() : icc_profile(space, developing.linear),
+          .texts = std::move(texts)};
+}
+
+/// What an .exr's numbers mean, by the chromaticities of primaries and white.
+std::array<float, 8> chromaticities(const RgbSpace& space) {
+  std::array<float, 8> values{};
+  std::size_t i = 0;
+  for (const Chromaticity& c :
+       {space.primaries.red, space.primaries.green, space.primaries.blue, space.primaries.white}) {
+    values[i++] = static_cast<float>(c.x);
+    values[i++] = static_cast<float>(c.y);
+  }
+  return values;
+}
+
+Result<Bytes> encode_as_png(const Image& xyz, const std::map<std::string, std::string>& metadata,
+                            const Developing& developing, GamutReport& gamut) {
+  const Matrix3 matrix = multiply(developing.space.from_xyz, developing.adaptation);
+  const EightBit codes(developing.linear ? Transfer{} : developing.space.transfer);
+  std::vector<float> rgb(3 * static_cast<std::size_t>(xyz.width));
+  return encode_png(describe_png(xyz.width, xyz.height, developing, metadata),
+                    [&](int y, unsigned char* row) {
+                      to_linear_rgb(matrix, xyz.at(0, y), rgb.data(), rgb.size() / 3);
+                      to_8_bit(rgb, codes, row, gamut);
+                    });
+}
+
+Result<Bytes> encode_as_exr(const Image& image, bool xyz,
+                            const std::map<std::string, std::string>& metadata,
+                            const Developing& developing) {
+  ExrDescription description{
+      .width = image.width,
+      .height = image.height,
+      .channels = xyz ? image.channels : std::vector<std::string>{"R", "G", "B"},
+      .chromaticities = {},
+      .numbers = {},
+      .texts = metadata};
+  if (!xyz) description.chromaticities = chromaticities(developing.space);
+  const Matrix3 matrix = multiply(developing.space.from_xyz, developing.adaptation);
+  return encode_exr(description, [&](int y, int end, float* values) {
+    const auto pixels = static_cast<std::size_t>(end - y) * static_cast<std::size_t>(image.width);
+    if (xyz)
+      std::copy_n(image.at(0, y), 3 * pixels, values);
+    else
+      to_linear_rgb(matrix, image.at(0, y), values, pixels);
+  });
+}
+
+}  // namespace
+
+Result<GamutReport> write_image(const Image& xyz_image, const std::filesystem::path& file, bool xyz,
+                                const std::map<std::string, std::string>& metadata,
+                                const Developing& developing) {
+  assert(xyz_image.channels.size() == 3);
+  const std::string format = format_of(file);
+  if (format.empty()) {
+    return file_problem(
+        file, "pictures are written as .png or .exr, not as " + quoted(file.extension().string()));
+  }
+  if (xyz && format == "png") return file_problem(file, "XYZ can only be written as .exr");
+
+  GamutReport gamut;
+  const auto done =
+      (format == "png" ? encode_as_png(xyz_image, metadata, developing, gamut)
+                       : encode_as_exr(xyz_image, xyz, metadata, developing))
+          .and_then([&](const Bytes& bytes) { return write_whole_file(file, bytes); });
+  if (!done) return file_problem(file, done.error().message);
+  return gamut;
+}
+
+Result<void> write_rgb(int width, int height, std::span<const std::uint8_t> rgb,
+                       const std::filesystem::path& file, const Developing& developing) {
+  if (format_of(file) != "png") return file_problem(file, "8-bit colours are written as .png");
+  const std::size_t row = 3 * static_cast<std::size_t>(width);
+  const auto done =
+      encode_png(describe_png(width, height, developing, {}), [&](int y, unsigned char* to) {
+        std::copy_n(rgb.data() + static_cast<std::size_t>(y) * row, row, to);
+      }).and_then([&](const Bytes& bytes) { return write_whole_file(file, bytes); });
+  if (!done) return file_problem(file, done.error().message);
+  return {};
+}
+
+}  // namespace metamer
