@@ -26,17 +26,17 @@ class MemoryStream : public Imf::OStream {
   MemoryStream() : Imf::OStream("memory") {}
   void write(const char from[], int count) override {
     const auto size = static_cast<std::size_t>(count);
-    bytes.resize(std::max(bytes.size(), place_ + size));
-    std::copy_n(from, size, bytes.begin() + static_cast<std::ptrdiff_t>(place_));
-    place_ += size;
+    bytes.resize(std::max(bytes.size(), position_ + size));
+    std::copy_n(from, size, bytes.begin() + static_cast<std::ptrdiff_t>(position_));
+    position_ += size;
   }
-  std::uint64_t tellp() override { return place_; }
-  void seekp(std::uint64_t place) override { place_ = place; }
+  std::uint64_t tellp() override { return position_; }
+  void seekp(std::uint64_t position) override { position_ = position; }
 
   std::vector<unsigned char> bytes;
 
  private:
-  std::size_t place_ = 0;
+  std::size_t position_ = 0;
 };
 
 Imf::Header header_of(const ExrDescription& description) {
