@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "server/cpu/lanes.h"
-#include "server/methods/gather.h"
+#include "server/transport/gather.h"
 
 namespace metamer::cpu {
 

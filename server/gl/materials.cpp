@@ -82,12 +82,12 @@ std::string choice(Kind kind, const Used& used, const std::string& which,
 
 }  // namespace
 
-Words material_words(const RenderScene& scene, const SceneRows& rows) {
+Words material_words(const RenderScene& scene, const FactorRows& rows) {
   Words all;
   for (std::uint32_t m = 0; m < scene.materials.size(); ++m) {
     const RenderMaterial& material = scene.materials[m];
     const models::Reflection<float>& own = material.reflection;
-    const SceneRows::Surface& surface = rows.surface(m);
+    const FactorRows::Surface& surface = rows.surface(m);
     Words words(Place::size);
     words[model] = static_cast<std::uint32_t>(own.model);
     words[diffuse_term] = static_cast<std::uint32_t>(own.diffuse);

@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "server/methods/scene_rows.h"
 #include "server/scene/render_scene.h"
+#include "server/transport/factor_rows.h"
 
 /// A scene's materials on the GPU: as words, and as the shader text that reads them.
 namespace metamer::gl {
 
 /// The words of all materials, one after the other.
-std::vector<std::uint32_t> material_words(const RenderScene& scene, const SceneRows& rows);
+std::vector<std::uint32_t> material_words(const RenderScene& scene, const FactorRows& rows);
 
 /// The models of the scene and no others (model_source.h), the places of a material's words, and
 /// `Lobes reflection(uint base, Angles angles)`: its model at a point, `base` its first word. Goes

@@ -5,7 +5,7 @@
 #include "common/scene/fresnel_table.h"
 #include "server/gl/context.h"
 #include "server/gl/materials.h"
-#include "server/methods/scene_rows.h"
+#include "server/transport/factor_rows.h"
 
 namespace metamer::gl {
 namespace {
@@ -81,7 +81,7 @@ Result<void> Renderer::upload(const DirectTables& tables) {
   row_stride_ = tables.row_stride;
   light_stride_ = tables.light_stride;
   sensor_stride_ = tables.sensor_stride;
-  const auto words = material_words(scene_, SceneRows(scene_));
+  const auto words = material_words(scene_, FactorRows(scene_));
   const auto records = light_records(scene_);
   auto materials = Buffer::of<std::uint32_t>("the materials", words);
   auto values = Buffer::of<float>("the method's values", tables.values);

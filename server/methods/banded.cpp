@@ -75,13 +75,13 @@ std::unique_ptr<Method::Scratch> BandedMethod::make_scratch() const {
   return std::make_unique<Carriers>();
 }
 
-BandedMethod::BandedMethod(SceneRows rows, Tables tables)
+BandedMethod::BandedMethod(FactorRows rows, Tables tables)
     : rows_(std::move(rows)), tables_(std::move(tables)) {}
 
 /// Adds what one surface reflects of each light.
 void BandedMethod::reflect(const Gather& gather, std::size_t surface, float* carrier) const {
   const std::size_t n = tables_.xyz.stride();
-  const SceneRows::Surface& own = rows_.surface(gather.surfaces()[surface].material);
+  const FactorRows::Surface& own = rows_.surface(gather.surfaces()[surface].material);
   const float* diffuse = tables_.rows.row(own.diffuse);
   const float* specular = tables_.rows.row(own.specular);
   const auto weights = gather.weights(surface);
@@ -115,7 +115,7 @@ std::array<float, 3> BandedMethod::resolve(const Gather& gather, float scale,
   // Carry the light back over the mirrors, the longest paths first.
   for (std::size_t path = paths.size(); path-- > 1;) {
     float* to = carrier(paths[path].parent);
-    const SceneRows::Factor mirror = rows_.mirror(paths[path].material, paths[path].cosine);
+    const FactorRows::Factor mirror = rows_.mirror(paths[path].material, paths[path].cosine);
     const float* first = tables_.rows.row(mirror.row[0]);
     if (mirror.count == 1)
       add_mirrored(n, to, carrier(path), first);

@@ -3,7 +3,7 @@
 #include <new>
 
 #include "server/methods/method.h"
-#include "server/methods/scene_rows.h"
+#include "server/transport/factor_rows.h"
 
 namespace metamer {
 
@@ -44,10 +44,10 @@ class BandedMethod : public Method {
  public:
   struct Tables {
     BandTable lights;  ///< A row a light of the scene.
-    BandTable rows;    ///< A row for each of SceneRows.
+    BandTable rows;    ///< A row for each of FactorRows.
     BandTable xyz;     ///< Three rows, the weights of X, Y and Z.
   };
-  BandedMethod(SceneRows rows, Tables tables);
+  BandedMethod(FactorRows rows, Tables tables);
 
   std::unique_ptr<Scratch> make_scratch() const override;
   std::array<float, 3> resolve(const Gather& gather, float scale, Scratch& scratch) const override;
@@ -56,7 +56,7 @@ class BandedMethod : public Method {
  private:
   void reflect(const Gather& gather, std::size_t surface, float* carrier) const;
 
-  SceneRows rows_;
+  FactorRows rows_;
   Tables tables_;
 };
 

@@ -6,7 +6,7 @@
 namespace metamer {
 
 /// What a method makes of light that comes straight from a surface, for a GPU. There every method
-/// is one sum. A light's lobes on a material, with weights w of the rows (SceneRows) r, give
+/// is one sum. A light's lobes on a material, with weights w of the rows (FactorRows) r, give
 ///
 ///     X = Σ_i sensor_X,i Σ_r w_r value_r,i
 ///

@@ -55,15 +55,15 @@ struct Memory : Method::Scratch {
 
 class ExactMethod : public Method {
  public:
-  /// `values`: a row for each of SceneRows. `sensors`: three rows a light, Φ x̄ Δλ and so on.
-  ExactMethod(SceneRows rows, BandTable values, BandTable sensors, std::size_t lights)
+  /// `values`: a row for each of FactorRows. `sensors`: three rows a light, Φ x̄ Δλ and so on.
+  ExactMethod(FactorRows rows, BandTable values, BandTable sensors, std::size_t lights)
       : rows_(std::move(rows)),
         values_(std::move(values)),
         sensors_(std::move(sensors)),
         lights_(lights) {
     direct_.resize(std::size_t{rows_.size()} * lights_ * 3);
     for (std::uint32_t row = 0; row < rows_.size(); ++row)
-      measure(values_.row(SceneRows::white), row, &direct_[row * lights_ * 3]);
+      measure(values_.row(FactorRows::white), row, &direct_[row * lights_ * 3]);
   }
 
   std::unique_ptr<Scratch> make_scratch() const override { return std::make_unique<Memory>(); }
@@ -75,7 +75,7 @@ class ExactMethod : public Method {
     std::array<float, 3> xyz{};
     const auto surfaces = gather.surfaces();
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
-      const SceneRows::Surface& own = rows_.surface(surfaces[s].material);
+      const FactorRows::Surface& own = rows_.surface(surfaces[s].material);
       for_each_term(surfaces[s].path, memory, [&](const Term& term) {
         add_lobes(term, own, gather.weights(s), memory, xyz);
       });
@@ -116,12 +116,12 @@ class ExactMethod : public Method {
     for (std::size_t t = begin; t < memory.ends[path]; ++t) action(memory.terms[t]);
   }
 
-  void add_lobes(const Term& term, const SceneRows::Surface& own,
+  void add_lobes(const Term& term, const FactorRows::Surface& own,
                  std::span<const LobeWeights> weights, Memory& memory,
                  std::array<float, 3>& xyz) const {
     const float* diffuse = color(term.product, own.diffuse, memory);
     const float* specular = color(term.product, own.specular, memory);
-    const float* white = color(term.product, SceneRows::white, memory);
+    const float* white = color(term.product, FactorRows::white, memory);
     for (const LobeWeights& w : weights) {
       add(term.weight * w.diffuse, diffuse, xyz);
       if (w.specular != 0) add(term.weight * w.specular, specular, xyz);
@@ -138,7 +138,7 @@ class ExactMethod : public Method {
     memory.ends.assign(1, 1);
     for (std::size_t path = 1; path < gather.paths().size(); ++path) {
       const Gather::Path& own = gather.paths()[path];
-      const SceneRows::Factor mirror = rows_.mirror(own.material, own.cosine);
+      const FactorRows::Factor mirror = rows_.mirror(own.material, own.cosine);
       const std::size_t begin = own.parent == 0 ? 0 : memory.ends[own.parent - 1];
       const std::size_t end = memory.ends[own.parent];
       const std::size_t first = memory.terms.size();
@@ -173,11 +173,11 @@ class ExactMethod : public Method {
   }
 
   const float* product_of(Product product, const Memory& memory) const {
-    return product == direct ? values_.row(SceneRows::white) : memory.products[product].data();
+    return product == direct ? values_.row(FactorRows::white) : memory.products[product].data();
   }
 
   Product longer(Product product, std::uint32_t row, Memory& memory) const {
-    if (row == SceneRows::white) return product;
+    if (row == FactorRows::white) return product;
     const auto [place, is_new] = memory.longer.try_emplace(key(product, row), direct);
     if (is_new) {
       const float* shorter = product_of(product, memory);
@@ -206,7 +206,7 @@ class ExactMethod : public Method {
 
   std::size_t stride() const { return values_.stride(); }
 
-  SceneRows rows_;
+  FactorRows rows_;
   BandTable values_, sensors_;
   std::size_t lights_;
   std::vector<float> direct_;  ///< XYZ by row and light.
@@ -215,7 +215,7 @@ class ExactMethod : public Method {
 }  // namespace
 
 std::uint64_t direct_signatures(const RenderScene& scene) {
-  return std::uint64_t{SceneRows(scene).size()} * scene.lights.size();
+  return std::uint64_t{FactorRows(scene).size()} * scene.lights.size();
 }
 
 std::unique_ptr<Method> make_exact(const v1::Plan& plan, const RenderScene& scene) {
@@ -237,7 +237,7 @@ std::unique_ptr<Method> make_exact(const v1::Plan& plan, const RenderScene& scen
     }
   }
 
-  SceneRows rows(scene);
+  FactorRows rows(scene);
   BandTable values(rows.size(), bands);
   rows.for_each(scene, wavelengths.nm(),
                 [&](std::uint32_t row, const std::vector<double>& at) { values.set(row, at); });

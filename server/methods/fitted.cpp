@@ -198,7 +198,7 @@ std::unique_ptr<Method> make_fitted(const v1::Plan& plan, const RenderScene& sce
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     lights.set(i, to_list(powers(chosen, static_cast<Index>(i))));
 
-  SceneRows rows(scene);
+  FactorRows rows(scene);
   BandTable values(rows.size(), nm.size());
   rows.for_each(scene, nm,
                 [&](std::uint32_t row, const std::vector<double>& at) { values.set(row, at); });

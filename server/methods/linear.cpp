@@ -27,7 +27,7 @@ class LinearMethod : public Method {
     BandTable matrices;   ///< Row × coefficient: the columns of a row's matrix.
     BandTable xyz;        ///< Three rows.
   };
-  LinearMethod(SceneRows rows, Tables tables, std::size_t lights, std::size_t bases)
+  LinearMethod(FactorRows rows, Tables tables, std::size_t lights, std::size_t bases)
       : rows_(std::move(rows)), tables_(std::move(tables)), lights_(lights), bases_(bases) {}
 
   struct Carriers : Scratch {
@@ -45,14 +45,14 @@ class LinearMethod : public Method {
     // Reflect each light by each surface, at the end of the surface's path.
     const auto surfaces = gather.surfaces();
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
-      const SceneRows::Surface& own = rows_.surface(surfaces[s].material);
+      const FactorRows::Surface& own = rows_.surface(surfaces[s].material);
       const auto weights = gather.weights(s);
       for (std::size_t light = 0; light < weights.size(); ++light) {
         float* to = carrier(surfaces[s].path);
         const LobeWeights& w = weights[light];
         add(w.diffuse, reflected(light, own.diffuse), to);
         if (w.specular != 0) add(w.specular, reflected(light, own.specular), to);
-        if (w.white != 0) add(w.white, reflected(light, SceneRows::white), to);
+        if (w.white != 0) add(w.white, reflected(light, FactorRows::white), to);
       }
     }
     for (const Gather::FresnelWeight& one : gather.fresnel()) {
@@ -63,7 +63,7 @@ class LinearMethod : public Method {
 
     // Carry the light back over the mirrors, the longest paths first.
     for (std::size_t path = paths.size(); path-- > 1;) {
-      const SceneRows::Factor mirror = rows_.mirror(paths[path].material, paths[path].cosine);
+      const FactorRows::Factor mirror = rows_.mirror(paths[path].material, paths[path].cosine);
       for (std::size_t j = 0; j < static_cast<std::size_t>(mirror.count); ++j)
         add_mirrored(mirror.weight[j], mirror.row[j], carrier(path), carrier(paths[path].parent));
     }
@@ -102,7 +102,7 @@ class LinearMethod : public Method {
       add(weight * from[i], tables_.matrices.row(row * bases_ + i), to);
   }
 
-  SceneRows rows_;
+  FactorRows rows_;
   Tables tables_;
   std::size_t lights_, bases_;
 };
@@ -143,7 +143,7 @@ std::unique_ptr<Method> make_linear(const v1::Plan& plan, const RenderScene& sce
   const auto bases = static_cast<std::size_t>(basis.functions.cols());
   const Eigen::MatrixXd lights = light_columns(scene, observer, wavelengths);
 
-  SceneRows rows(scene);
+  FactorRows rows(scene);
   BandTable reflected(rows.size() * scene.lights.size(), bases);
   BandTable matrices(rows.size() * bases, bases);
   rows.for_each(scene, wavelengths.nm(), [&](std::uint32_t row, const std::vector<double>& at) {

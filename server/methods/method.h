@@ -7,8 +7,8 @@
 #include "common/spectral/wavelengths.h"
 #include "metamer/v1/plan.pb.h"
 #include "server/methods/direct_tables.h"
-#include "server/methods/gather.h"
 #include "server/scene/render_scene.h"
+#include "server/transport/gather.h"
 
 namespace metamer {
 

@@ -21,7 +21,7 @@ std::unique_ptr<Method> make_point(const v1::Plan& plan, const RenderScene& scen
     lights.set(i, power);
   }
 
-  SceneRows rows(scene);
+  FactorRows rows(scene);
   BandTable values(rows.size(), bands);
   rows.for_each(scene, wavelengths.nm(),
                 [&](std::uint32_t row, const std::vector<double>& at) { values.set(row, at); });

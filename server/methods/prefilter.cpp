@@ -92,7 +92,7 @@ std::unique_ptr<Method> make_prefilter(const v1::Plan& plan, const RenderScene& 
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     lights.set(i, to_list(colors.col(static_cast<Eigen::Index>(i)).cwiseQuotient(filter.white)));
 
-  SceneRows rows(scene);
+  FactorRows rows(scene);
   BandTable values(rows.size(), 3);
   rows.for_each(scene, wavelengths.nm(), [&](std::uint32_t row, const std::vector<double>& at) {
     values.set(row, to_list(filter.surface.transpose() * to_vector(at)));

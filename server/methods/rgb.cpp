@@ -51,7 +51,7 @@ std::unique_ptr<Method> make_rgb(const v1::Plan& plan, const RenderScene& scene)
     lights.set(i, light_rgb(observer, scene.emissions[scene.lights[i].emission], wavelengths.nm(),
                             scene.lights[i].luminance));
 
-  SceneRows rows(scene);
+  FactorRows rows(scene);
   BandTable values(rows.size(), 3);
   const auto weights = surface_weights(observer, wavelengths.nm());
   rows.for_each(scene, wavelengths.nm(), [&](std::uint32_t row, const std::vector<double>& at) {

@@ -6,8 +6,8 @@
 #include "common/color/xyz.h"
 #include "common/scene/fresnel_table.h"
 #include "common/spectral/cie.h"
-#include "server/methods/gather.h"
 #include "server/scene/render_scene.h"
+#include "server/transport/gather.h"
 
 namespace metamer {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "server/methods/scene_rows.h"
+#include "server/transport/factor_rows.h"
 #include "tests/server/methods/methods.h"
 #include "tests/server/test_scene.h"
 
@@ -44,7 +44,7 @@ std::array<float, 3> color(const DirectTables& tables, std::uint32_t light, std:
 
 TEST(DirectTables, GiveWhatEveryMethodResolves) {
   const RenderScene scene = test::compile_text(lit_paint);
-  const SceneRows rows(scene);
+  const FactorRows rows(scene);
   for (const v1::Method& method : test::all_methods()) {
     SCOPED_TRACE(method.ShortDebugString());
     v1::Settings settings;
@@ -66,7 +66,7 @@ TEST(DirectTables, GiveWhatEveryMethodResolves) {
     };
     add(0.5f, 0, rows.surface(0).diffuse);
     add(0.25f, 0, rows.surface(0).specular);
-    add(0.125f, 0, SceneRows::white);
+    add(0.125f, 0, FactorRows::white);
     add(0.25f, 1, rows.surface(0).diffuse);
     add(0.75f, 1, rows.surface(1).first_node + 200);
 

@@ -1,11 +1,11 @@
-#include "server/methods/scene_rows.h"
+#include "server/transport/factor_rows.h"
 
 #include "common/scene/fresnel_table.h"
 #include "server/models/lanes.h"
 
 namespace metamer {
 
-SceneRows::SceneRows(const RenderScene& scene) {
+FactorRows::FactorRows(const RenderScene& scene) {
   const auto properties = static_cast<std::uint32_t>(scene.properties.size());
   for (const RenderMaterial& material : scene.materials)
     surfaces_.push_back({material.fresnel, 1 + material.diffuse, 1 + material.specular,
@@ -13,7 +13,7 @@ SceneRows::SceneRows(const RenderScene& scene) {
   size_ = 1 + properties + static_cast<std::uint32_t>(scene.constants.size()) * fresnel_nodes;
 }
 
-SceneRows::Factor SceneRows::mirror(std::uint32_t material, float cosine) const {
+FactorRows::Factor FactorRows::mirror(std::uint32_t material, float cosine) const {
   const Surface& own = surfaces_[material];
   switch (own.fresnel) {
     case FresnelKind::none:
@@ -31,7 +31,7 @@ SceneRows::Factor SceneRows::mirror(std::uint32_t material, float cosine) const 
   return {{own.specular, white}, {1, 0}, 1};
 }
 
-void SceneRows::for_each(
+void FactorRows::for_each(
     const RenderScene& scene, const std::vector<double>& nm,
     const std::function<void(std::uint32_t row, std::vector<double> values)>& take) const {
   take(white, std::vector<double>(nm.size(), 1.0));

@@ -12,9 +12,9 @@ namespace metamer {
 /// Everything by which a scene multiplies light, as numbered rows: white (1 everywhere), the
 /// scene's properties, and the nodes of each exact Fresnel term (fresnel_table.h). Methods keep a
 /// table of what each row is to them; nothing here has wavelengths.
-class SceneRows {
+class FactorRows {
  public:
-  explicit SceneRows(const RenderScene& scene);
+  explicit FactorRows(const RenderScene& scene);
 
   static constexpr std::uint32_t white = 0;
   std::uint32_t size() const { return size_; }
