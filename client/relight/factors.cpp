@@ -2,17 +2,13 @@
 
 #include <cmath>
 #include <limits>
-#include <map>
-#include <tuple>
 
-#include "common/scene/fresnel_table.h"
-#include "common/scene/limits.h"
-#include "common/spectral/spectrum.h"
+#include "client/relight/scene_sources.h"
+#include "common/transport/factor_kinds.h"
+#include "common/transport/message_tables.h"
 
 namespace metamer {
 namespace {
-
-using Factor = std::tuple<std::uint32_t, int, std::uint32_t>;
 
 bool is_spectrum(const v1::SampledSpectrum& spectrum) {
   return make_spectrum({spectrum.nm().begin(), spectrum.nm().end()},
@@ -21,17 +17,17 @@ bool is_spectrum(const v1::SampledSpectrum& spectrum) {
 }
 
 /// What is wrong with a factor; empty: nothing.
-std::string factor_fault(std::uint32_t material, int term, std::uint32_t node,
-                         const v1::SceneFactors& scene) {
-  if (term == v1::FACTOR_WHITE) return {};
-  if (!v1::FactorTerm_IsValid(term)) return "names a term that does not exist";
-  if (material >= static_cast<std::uint32_t>(scene.material_size()))
-    return "names a material that does not exist";
-  if (term != v1::FACTOR_FRESNEL) return {};
-  if (node >= fresnel_nodes) return "names a node that does not exist";
-  if (!scene.material(static_cast<int>(material)).has_constants())
-    return "names a Fresnel term that does not exist";
-  return {};
+std::string factor_fault(const FactorNode& factor, const FactorSources& sources) {
+  for (const FactorEntry& entry : factor_entries)
+    if (entry.kind == factor.kind)
+      return with_kind(factor.kind, [&]<class Kind>(Kind) -> std::string {
+        if (factor.index >= Kind::count(sources)) return "names a material that does not exist";
+        if (factor.node >= Kind::Table::nodes) return "names a node that does not exist";
+        if (Kind::source(sources, factor.index) == nullptr)
+          return std::string("names a ") + entry.title + " that does not exist";
+        return {};
+      });
+  return "names a term that does not exist";
 }
 
 }  // namespace
@@ -50,7 +46,8 @@ std::string scene_fault(const v1::SceneFactors& scene) {
   return {};
 }
 
-std::string table_fault(const v1::TileFactors& tables, const v1::SceneFactors& scene) {
+std::string table_fault(const v1::TileFactors& tables, std::size_t lights,
+                        const FactorSources& sources) {
   const int products = tables.product_parent_size(), signatures = tables.signature_product_size();
   if (tables.product_material_size() != products || tables.product_term_size() != products ||
       tables.product_node_size() != products || tables.signature_light_size() != signatures ||
@@ -60,30 +57,27 @@ std::string table_fault(const v1::TileFactors& tables, const v1::SceneFactors& s
   for (int i = 0; i < products; ++i) {
     if (tables.product_parent(i) > static_cast<std::uint32_t>(i))
       return "a product comes before its parent";
-    const std::string fault = factor_fault(tables.product_material(i), tables.product_term(i),
-                                           tables.product_node(i), scene);
+    const std::string fault = factor_fault(MessageTerms::product_factor(tables, i), sources);
     if (!fault.empty()) return "a product " + fault;
   }
   for (int i = 0; i < signatures; ++i) {
     if (tables.signature_product(i) > static_cast<std::uint32_t>(products))
       return "a signature names a product that does not exist";
-    if (tables.signature_light(i) >= static_cast<std::uint32_t>(scene.light_size()))
-      return "a signature names a light that does not exist";
-    const std::string fault = factor_fault(tables.signature_material(i), tables.signature_term(i),
-                                           tables.signature_node(i), scene);
+    if (tables.signature_light(i) >= lights) return "a signature names a light that does not exist";
+    const std::string fault = factor_fault(MessageTerms::signature_factor(tables, i), sources);
     if (!fault.empty()) return "a signature " + fault;
   }
   return {};
 }
 
-/// Where the picture's tables have what a tile's name.
+/// The picture's tables under way, and what their factors are made of.
 struct FactorsBuilder::Tables {
-  std::map<std::pair<std::uint32_t, Factor>, std::uint32_t> products;
-  std::map<std::tuple<std::uint32_t, std::uint32_t, Factor>, std::uint32_t> signatures;
+  MessageTables all;
+  SceneSources sources;
 };
 
 FactorsBuilder::FactorsBuilder(const v1::Plan& plan, const v1::SceneFactors& scene)
-    : tables_(std::make_shared<Tables>()) {
+    : tables_(std::make_shared<Tables>(MessageTables{}, SceneSources(scene))) {
   factors_.plan = plan;
   factors_.scene = scene;
   factors_.width = plan.width();
@@ -95,45 +89,16 @@ Result<FactorsBuilder> FactorsBuilder::make(const v1::Plan& plan, const v1::Scen
   return FactorsBuilder(plan, scene);
 }
 
-std::vector<std::uint32_t> FactorsBuilder::add_products(const v1::TileFactors& tile) {
-  std::vector<std::uint32_t> numbers{0};
-  v1::TileFactors& all = factors_.tables;
-  for (int i = 0; i < tile.product_parent_size(); ++i) {
-    const std::uint32_t parent = numbers[tile.product_parent(i)];
-    const Factor factor{tile.product_material(i), tile.product_term(i), tile.product_node(i)};
-    const auto next = static_cast<std::uint32_t>(tables_->products.size() + 1);
-    const auto [place, is_new] = tables_->products.try_emplace({parent, factor}, next);
-    if (is_new) {
-      all.add_product_parent(parent);
-      all.add_product_material(tile.product_material(i));
-      all.add_product_term(tile.product_term(i));
-      all.add_product_node(tile.product_node(i));
-    }
-    numbers.push_back(place->second);
-  }
-  return numbers;
-}
-
-std::vector<std::uint32_t> FactorsBuilder::add_signatures(
-    const v1::TileFactors& tile, const std::vector<std::uint32_t>& products) {
-  std::vector<std::uint32_t> numbers;
-  v1::TileFactors& all = factors_.tables;
-  for (int i = 0; i < tile.signature_product_size(); ++i) {
-    const std::uint32_t product = products[tile.signature_product(i)];
-    const Factor factor{tile.signature_material(i), tile.signature_term(i), tile.signature_node(i)};
-    const auto next = static_cast<std::uint32_t>(tables_->signatures.size());
-    const auto [place, is_new] =
-        tables_->signatures.try_emplace({product, tile.signature_light(i), factor}, next);
-    if (is_new) {
-      all.add_signature_product(product);
-      all.add_signature_light(tile.signature_light(i));
-      all.add_signature_material(tile.signature_material(i));
-      all.add_signature_term(tile.signature_term(i));
-      all.add_signature_node(tile.signature_node(i));
-    }
-    numbers.push_back(place->second);
-  }
-  return numbers;
+std::vector<std::uint32_t> FactorsBuilder::add_tables(const v1::TileFactors& tile) {
+  std::vector<std::uint32_t> products{0}, signatures;
+  MessageTables& all = tables_->all;
+  for (int i = 0; i < tile.product_parent_size(); ++i)
+    products.push_back(
+        all.product(products[tile.product_parent(i)], MessageTerms::product_factor(tile, i)));
+  for (int i = 0; i < tile.signature_product_size(); ++i)
+    signatures.push_back(all.signature(products[tile.signature_product(i)], tile.signature_light(i),
+                                       MessageTerms::signature_factor(tile, i)));
+  return signatures;
 }
 
 Result<void> FactorsBuilder::add(const v1::Tile& tile) {
@@ -143,7 +108,9 @@ Result<void> FactorsBuilder::add(const v1::Tile& tile) {
   if (tile.x() >= factors_.width || tile.width() > factors_.width - tile.x() ||
       tile.y() >= factors_.height || tile.height() > factors_.height - tile.y())
     return problem("a tile lies outside the picture");
-  if (const std::string fault = table_fault(own, factors_.scene); !fault.empty())
+  if (const std::string fault = table_fault(
+          own, static_cast<std::size_t>(factors_.scene.light_size()), tables_->sources.factors());
+      !fault.empty())
     return problem("of a tile's factors " + fault);
 
   Tile kept{tile.x(), tile.y(), tile.width(), {}, {}, {}};
@@ -156,7 +123,7 @@ Result<void> FactorsBuilder::add(const v1::Tile& tile) {
   pairs_ += pairs;
   if (pairs_ > std::numeric_limits<std::uint32_t>::max())
     return problem("the picture has more than 4 G pairs of signature and weight");
-  const auto numbers = add_signatures(own, add_products(own));
+  const auto numbers = add_tables(own);
   kept.count.assign(own.count().begin(), own.count().end());
   kept.weight.assign(own.weight().begin(), own.weight().end());
   for (const std::uint32_t signature : own.signature()) {
@@ -200,6 +167,7 @@ Factors FactorsBuilder::finish() {
                 factors_.weight.begin() + static_cast<std::ptrdiff_t>(to));
   });
   tiles_.clear();
+  factors_.tables = std::move(tables_->all.message());
   return std::move(factors_);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/problem.h"
+#include "common/transport/factor_sources.h"
 #include "metamer/v1/factors.pb.h"
 #include "metamer/v1/jobs.pb.h"
 #include "metamer/v1/plan.pb.h"
@@ -45,9 +46,8 @@ class FactorsBuilder {
     std::vector<std::uint32_t> count, signature;
     std::vector<float> weight;
   };
-  std::vector<std::uint32_t> add_products(const v1::TileFactors& tile);
-  std::vector<std::uint32_t> add_signatures(const v1::TileFactors& tile,
-                                            const std::vector<std::uint32_t>& products);
+  /// The picture's numbers of a tile's signatures.
+  std::vector<std::uint32_t> add_tables(const v1::TileFactors& tile);
 
   Factors factors_;
   std::vector<Tile> tiles_;
@@ -68,7 +68,8 @@ Result<Factors> read_factors(const std::filesystem::path& file);
 /// What is wrong with the spectra of a scene; empty: they are sound.
 std::string scene_fault(const v1::SceneFactors& scene);
 
-/// What is wrong with tables, for so many lights and materials; empty: they are sound.
-std::string table_fault(const v1::TileFactors& tables, const v1::SceneFactors& scene);
+/// What is wrong with tables, for so many lights and such materials; empty: they are sound.
+std::string table_fault(const v1::TileFactors& tables, std::size_t lights,
+                        const FactorSources& sources);
 
 }  // namespace metamer

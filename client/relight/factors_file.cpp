@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "client/relight/factors.h"
+#include "client/relight/scene_sources.h"
 #include "common/digest.h"
 #include "common/image/whole_file.h"
 #include "common/scene/limits.h"
@@ -149,7 +150,9 @@ Result<Factors> read_factors(const std::filesystem::path& file) {
     return fail("has a head that can't be read");
 
   std::string fault = scene_fault(factors.scene);
-  if (fault.empty()) fault = table_fault(factors.tables, factors.scene);
+  if (fault.empty())
+    fault = table_fault(factors.tables, static_cast<std::size_t>(factors.scene.light_size()),
+                        SceneSources(factors.scene).factors());
   if (!fault.empty()) return fail("is damaged: " + fault);
   if (fault = pair_fault(factors); !fault.empty()) return fail(fault);
   return factors;

@@ -1,20 +1,14 @@
 #include "client/relight/relight.h"
 
-#include <map>
-#include <tuple>
-
-#include "common/scene/fresnel_table.h"
+#include "client/relight/scene_sources.h"
+#include "common/transport/factor_values.h"
+#include "common/transport/fold.h"
+#include "common/transport/message_tables.h"
 
 namespace metamer {
 namespace {
 
 using Row = std::vector<float>;
-
-Spectrum to_spectrum(const v1::SampledSpectrum& from) {
-  return {{from.nm().begin(), from.nm().end()}, {from.values().begin(), from.values().end()}};
-}
-
-Row to_row(const std::vector<double>& values) { return {values.begin(), values.end()}; }
 
 /// The scene's lights with their luminance, E[3.2-4] by every nm, at `nm`.
 std::vector<std::vector<double>> light_rows(const v1::SceneFactors& scene, cie::Observer observer,
@@ -32,51 +26,28 @@ std::vector<std::vector<double>> light_rows(const v1::SceneFactors& scene, cie::
   return rows;
 }
 
-/// By what the factors' terms and products multiply light at some wavelengths; made as they are
-/// asked for.
-class FactorRows {
- public:
-  FactorRows(const v1::TileFactors& tables, const v1::SceneFactors& scene, std::vector<double> nm)
-      : tables_(tables), scene_(scene), nm_(std::move(nm)), white_(nm_.size(), 1.0f) {
-    products_.push_back(white_);
-    for (int i = 0; i < tables.product_parent_size(); ++i) {
-      Row row = products_[tables.product_parent(i)];
-      const Row& factor =
-          term(tables.product_material(i), tables.product_term(i), tables.product_node(i));
-      for (std::size_t k = 0; k < row.size(); ++k) row[k] *= factor[k];
-      products_.push_back(std::move(row));
-    }
+/// Makes the product of each chain, and gives those of each term to `take`: chain's product, light,
+/// factor.
+template <class Take>
+struct Products : FoldHooks {
+  Products(const v1::SceneFactors& scene, std::vector<double> nm, Take take)
+      : sources(scene), factors(sources.factors(), nm), chains{Row(nm.size(), 1.0f)}, take(take) {}
+
+  void enter(std::uint32_t, std::uint32_t parent, const FactorNode& factor) {
+    Row row = chains[parent];
+    const Row& values = factors(factor);
+    for (std::size_t k = 0; k < row.size(); ++k) row[k] *= values[k];
+    chains.push_back(std::move(row));
   }
 
-  const Row& product(std::uint32_t index) const { return products_[index]; }
-
-  const Row& term(std::uint32_t material, v1::FactorTerm term, std::uint32_t node) {
-    if (term == v1::FACTOR_WHITE) return white_;
-    const auto [place, is_new] = terms_.try_emplace({material, term, node});
-    if (is_new) place->second = make(scene_.material(static_cast<int>(material)), term, node);
-    return place->second;
+  void term(std::uint32_t chain, std::uint32_t light, const FactorNode& factor, float) {
+    take(chains[chain], light, factors(factor));
   }
 
- private:
-  Row make(const v1::SceneFactors::Material& material, v1::FactorTerm term,
-           std::uint32_t node) const {
-    if (term == v1::FACTOR_FRESNEL) {
-      const OpticalConstants constants{to_spectrum(material.constants().n()),
-                                       to_spectrum(material.constants().k())};
-      return to_row(fresnel_at(resample(constants, nm_), fresnel_node(node)));
-    }
-    const bool diffuse = term == v1::FACTOR_DIFFUSE;
-    return to_row(resample(to_spectrum(diffuse ? material.diffuse() : material.specular()), nm_,
-                           Outside::hold)
-                      .values);
-  }
-
-  const v1::TileFactors& tables_;
-  const v1::SceneFactors& scene_;
-  std::vector<double> nm_;
-  Row white_;
-  std::vector<Row> products_;
-  std::map<std::tuple<std::uint32_t, v1::FactorTerm, std::uint32_t>, Row> terms_;
+  SceneSources sources;
+  FactorValues<float> factors;
+  std::vector<Row> chains;
+  Take take;
 };
 
 /// Σ a b c in 16 partial sums: vectorised whatever the compiler may assume of addition.
@@ -109,16 +80,15 @@ std::vector<Color> signature_colors(const v1::TileFactors& tables, const v1::Sce
         sensor[axis].push_back(static_cast<float>(light[k] * weights.weights[axis][k]));
   }
 
-  FactorRows rows(tables, scene, wavelengths.nm());
   std::vector<Color> colors;
-  for (int i = 0; i < tables.signature_product_size(); ++i) {
-    const Row& product = rows.product(tables.signature_product(i));
-    const Row& term =
-        rows.term(tables.signature_material(i), tables.signature_term(i), tables.signature_node(i));
-    const std::array<Row, 3>& sensor = sensors[tables.signature_light(i)];
-    colors.push_back({{integrate(product, term, sensor[0]), integrate(product, term, sensor[1]),
-                       integrate(product, term, sensor[2]), 0}});
-  }
+  fold(MessageTerms(tables),
+       Products(scene, wavelengths.nm(),
+                [&](const Row& product, std::uint32_t light, const Row& factor) {
+                  const std::array<Row, 3>& sensor = sensors[light];
+                  colors.push_back({{integrate(product, factor, sensor[0]),
+                                     integrate(product, factor, sensor[1]),
+                                     integrate(product, factor, sensor[2]), 0}});
+                }));
   return colors;
 }
 
@@ -146,18 +116,16 @@ Image relight_spectral(const Factors& factors, const v1::SceneFactors& scene,
                        cie::Observer observer, const Wavelengths& wavelengths) {
   // The light of each signature.
   const auto lights = light_rows(scene, observer, wavelengths.nm());
-  FactorRows rows(factors.tables, scene, wavelengths.nm());
-  const v1::TileFactors& tables = factors.tables;
   std::vector<Row> spectra;
-  for (int i = 0; i < tables.signature_product_size(); ++i) {
-    Row row = rows.product(tables.signature_product(i));
-    const Row& term =
-        rows.term(tables.signature_material(i), tables.signature_term(i), tables.signature_node(i));
-    const std::vector<double>& light = lights[tables.signature_light(i)];
-    for (std::size_t k = 0; k < row.size(); ++k)
-      row[k] = static_cast<float>(light[k] * double{row[k]} * double{term[k]});
-    spectra.push_back(std::move(row));
-  }
+  fold(MessageTerms(factors.tables),
+       Products(scene, wavelengths.nm(),
+                [&](const Row& product, std::uint32_t light, const Row& factor) {
+                  Row row = product;
+                  for (std::size_t k = 0; k < row.size(); ++k)
+                    row[k] =
+                        static_cast<float>(lights[light][k] * double{row[k]} * double{factor[k]});
+                  spectra.push_back(std::move(row));
+                }));
 
   std::vector<std::string> names;
   for (const double nm : wavelengths.nm()) names.push_back(std::to_string(nm));

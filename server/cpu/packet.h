@@ -16,7 +16,7 @@ struct Packet {
   Float8 throughput = metamer::broadcast(1);  ///< Product of the mirrors' weights.
   Float8 travelled{};                         ///< From the eye to `hit`.
   std::array<std::uint32_t, 8> pixel{};       ///< Index into Workspace::gathers.
-  std::array<std::uint32_t, 8> path{};        ///< Of that pixel's gather.
+  std::array<std::uint32_t, 8> chain{};       ///< Of that pixel's gather.
   bool from_eye = true;                       ///< No mirror met yet.
   Vec8 hit{};                                 ///< Where the ray hit.
   Vec8 point{};                               ///< The same, lifted off the surface.

@@ -2,9 +2,9 @@
 
 #include <limits>
 
-#include "common/scene/fresnel_table.h"
 #include "server/cpu/ticks.h"
 #include "server/cpu/triangle_places.h"
+#include "server/transport/expand.h"
 
 namespace metamer::cpu {
 namespace {
@@ -104,11 +104,11 @@ Shading::Places Shading::find_places(const Packet& packet, const Hits& hits,
     if (!packet.active[i]) continue;
     const auto material = static_cast<std::uint32_t>(hits.material[i]);
     const bool as_last = last >= 0 && packet.pixel[i] == packet.pixel[last] &&
-                         packet.path[i] == packet.path[last] &&
+                         packet.chain[i] == packet.chain[last] &&
                          hits.material[i] == hits.material[last];
     places.surface[i] = as_last
                             ? places.surface[last]
-                            : workspace.gathers[packet.pixel[i]].surface(packet.path[i], material);
+                            : workspace.gathers[packet.pixel[i]].surface(packet.chain[i], material);
     places.together &= last < 0 || as_last;
     last = static_cast<int>(i);
   }
@@ -217,10 +217,10 @@ void Shading::interpolate(const Step& step, Int8 lanes, Lobes& lobes) const {
 void Shading::gather_fresnel(const Step& step, int lane, float cosine, float weight) {
   const auto i = static_cast<std::size_t>(lane);
   Gather& gather = step.workspace.gathers[step.packet.pixel[i]];
-  const FresnelPlace place = fresnel_place(cosine);
-  const std::uint32_t surface = step.places.surface[i];
-  gather.add_fresnel(surface, step.light, place.below, weight * (1 - place.fraction));
-  gather.add_fresnel(surface, step.light, place.below + 1, weight * place.fraction);
+  const auto material = static_cast<std::uint32_t>(step.hits.material[i]);
+  const FactorNodes<float> nodes = expand<float>({FactorKind::fresnel, material, cosine});
+  for (std::size_t j = 0; j < nodes.count; ++j)
+    gather.add(step.packet.chain[i], step.light, nodes.node[j], weight * nodes.weight[j]);
 }
 
 /// Adds weighted lobes where they are gathered; the lanes that have none hold zeros.

@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "server/cpu/angles.h"
+#include "server/transport/mirror.h"
 
 namespace metamer::cpu {
 namespace {
@@ -120,8 +121,8 @@ void Tracer::reflect(Packet& packet, const Hits& hits, Workspace& workspace) con
     const RenderMaterial& from = scene_.materials[material];
     if (from.mirror > 0) {
       packet.throughput[i] *= from.mirror;
-      packet.path[i] = workspace.gathers[packet.pixel[i]].path(
-          packet.path[i], material, from.fresnel == FresnelKind::none ? 0 : incidence[i]);
+      packet.chain[i] = workspace.gathers[packet.pixel[i]].chain(
+          packet.chain[i], mirror_factor(from, material, incidence[i]));
     } else {
       packet.active[i] = 0;
     }

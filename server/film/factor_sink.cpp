@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "common/scene/fresnel_table.h"
-#include "server/models/lanes.h"
+#include "common/transport/fold.h"
+#include "server/transport/expand.h"
 
 namespace metamer {
 namespace {
@@ -15,125 +15,73 @@ void set_spectrum(const Spectrum& spectrum, v1::SampledSpectrum& to) {
 
 }  // namespace
 
-FactorSink::FactorSink(const RenderScene& scene, PixelSink& next, std::uint32_t spp)
-    : scene_(scene), next_(next), scale_(1 / static_cast<float>(spp)) {}
+FactorSink::FactorSink(PixelSink& next, std::uint32_t spp)
+    : next_(next), scale_(1 / static_cast<float>(spp)) {}
 
 void FactorSink::begin(const Rect& tile) {
   tile_ = tile;
-  tables_.Clear();
-  products_.clear();
-  signatures_.clear();
+  tables_.clear();
   sums_.clear();
   pixels_.assign(std::size_t{tile.width} * tile.height, {});
 }
 
-std::uint32_t FactorSink::product(std::uint32_t parent, const Factor& factor) {
-  const auto next = static_cast<std::uint32_t>(products_.size() + 1);
-  const auto [place, is_new] = products_.try_emplace({parent, factor}, next);
-  if (is_new) {
-    tables_.add_product_parent(parent);
-    tables_.add_product_material(std::get<0>(factor));
-    tables_.add_product_term(std::get<1>(factor));
-    tables_.add_product_node(std::get<2>(factor));
-  }
-  return place->second;
-}
-
-std::uint32_t FactorSink::signature(std::uint32_t product, std::uint32_t light,
-                                    const Factor& factor) {
-  const auto next = static_cast<std::uint32_t>(signatures_.size());
-  const auto [place, is_new] = signatures_.try_emplace({product, light, factor}, next);
-  if (is_new) {
-    tables_.add_signature_product(product);
-    tables_.add_signature_light(light);
-    tables_.add_signature_material(std::get<0>(factor));
-    tables_.add_signature_term(std::get<1>(factor));
-    tables_.add_signature_node(std::get<2>(factor));
-    sums_.push_back(0);
-  }
-  return place->second;
-}
-
-/// The terms of a path: those of its parent, each times the one or two of its last mirror.
-std::vector<FactorSink::Term> FactorSink::mirrored(const std::vector<Term>& parent,
-                                                   const Gather::Path& path) {
-  std::vector<Term> terms;
-  const auto add_term = [&](std::uint32_t product, float weight) {
-    for (Term& term : terms)
-      if (term.product == product) {
-        term.weight += weight;
+/// The parts of a chain: those of its parent, each times the one or two nodes of its last factor.
+std::vector<FactorSink::Part> FactorSink::longer(const std::vector<Part>& parent,
+                                                 const Factor& factor) {
+  const FactorNodes<float> nodes = expand<float>(factor);
+  std::vector<Part> parts;
+  const auto add_part = [&](std::uint32_t product, float weight) {
+    for (Part& part : parts)
+      if (part.product == product) {
+        part.weight += weight;
         return;
       }
-    if (weight != 0) terms.push_back({product, weight});
+    if (weight != 0) parts.push_back({product, weight});
   };
-  const RenderMaterial& material = scene_.materials[path.material];
-  for (const Term& term : parent) {
-    switch (material.fresnel) {
-      case FresnelKind::none:
-        add_term(product(term.product, {path.material, v1::FACTOR_SPECULAR, 0}), term.weight);
-        break;
-      case FresnelKind::schlick: {
-        const float rise = models::schlick_rise(path.cosine);
-        add_term(product(term.product, {path.material, v1::FACTOR_SPECULAR, 0}),
-                 term.weight * (1 - rise));
-        add_term(term.product, term.weight * rise);
-        break;
-      }
-      case FresnelKind::exact: {
-        const FresnelPlace place = fresnel_place(path.cosine);
-        add_term(product(term.product, {path.material, v1::FACTOR_FRESNEL, place.below}),
-                 term.weight * (1 - place.fraction));
-        add_term(product(term.product, {path.material, v1::FACTOR_FRESNEL, place.below + 1}),
-                 term.weight * place.fraction);
-        break;
-      }
-    }
-  }
-  if (terms.size() > max_terms) {
+  for (const Part& part : parent)
+    for (std::size_t j = 0; j < nodes.count; ++j)
+      add_part(nodes.node[j].kind == FactorKind::white
+                   ? part.product
+                   : tables_.product(part.product, nodes.node[j]),
+               part.weight * nodes.weight[j]);
+  if (parts.size() > max_parts) {
     overflowed_ = true;
-    terms.clear();
+    parts.clear();
   }
-  return terms;
+  return parts;
 }
 
 void FactorSink::add(std::uint32_t signature, float weight) {
+  sums_.resize(tables_.signatures());
   if (sums_[signature] == 0) touched_.push_back(signature);
   sums_[signature] += weight;
 }
 
-void FactorSink::add_all(const std::vector<Term>& terms, std::uint32_t light, const Factor& factor,
-                         float weight) {
-  if (weight == 0) return;
-  for (const Term& term : terms)
-    add(signature(term.product, light, factor), scale_ * weight * term.weight);
-}
+/// Names the products of each chain, and sums the weights of their signatures.
+struct FactorSink::Fold : FoldHooks {
+  FactorSink& sink;
+  std::vector<std::vector<Part>> parts;  ///< Of each chain.
+
+  void enter(std::uint32_t, std::uint32_t parent, const Factor& factor) {
+    parts.push_back(sink.longer(parts[parent], factor));
+  }
+
+  void lobes(std::uint32_t chain, std::uint32_t material, std::span<const LobeWeights> weights) {
+    lobes_as_terms(*this, chain, material, weights);
+  }
+
+  void term(std::uint32_t chain, std::uint32_t light, const FactorNode& factor, float weight) {
+    if (weight == 0) return;
+    for (const Part& part : parts[chain])
+      sink.add(sink.tables_.signature(part.product, light, factor),
+               sink.scale_ * weight * part.weight);
+  }
+};
 
 void FactorSink::take(std::uint32_t x, std::uint32_t y, const Gather& gather) {
   next_.take(x, y, gather);
   if (overflowed_) return;
-
-  // A path comes after its parent.
-  std::vector<std::vector<Term>> terms{{{0, 1.0f}}};
-  for (std::size_t path = 1; path < gather.paths().size(); ++path)
-    terms.push_back(mirrored(terms[gather.paths()[path].parent], gather.paths()[path]));
-
-  const auto surfaces = gather.surfaces();
-  for (std::size_t s = 0; s < surfaces.size(); ++s) {
-    const std::uint32_t material = surfaces[s].material;
-    const auto weights = gather.weights(s);
-    for (std::uint32_t light = 0; light < weights.size(); ++light) {
-      const LobeWeights& w = weights[light];
-      const auto& path = terms[surfaces[s].path];
-      add_all(path, light, {material, v1::FACTOR_DIFFUSE, 0}, w.diffuse);
-      add_all(path, light, {material, v1::FACTOR_SPECULAR, 0}, w.specular);
-      add_all(path, light, {0, v1::FACTOR_WHITE, 0}, w.white);
-    }
-  }
-  for (const Gather::FresnelWeight& one : gather.fresnel()) {
-    const Gather::Surface& surface = surfaces[one.surface];
-    add_all(terms[surface.path], one.light, {surface.material, v1::FACTOR_FRESNEL, one.node},
-            one.weight);
-  }
+  fold(gather, Fold{{}, *this, {{{0, 1.0f}}}});
 
   auto& pixel = pixels_[std::size_t{y - tile_.y} * tile_.width + (x - tile_.x)];
   for (const std::uint32_t signature : touched_) {
@@ -145,14 +93,15 @@ void FactorSink::take(std::uint32_t x, std::uint32_t y, const Gather& gather) {
 
 v1::TileFactors FactorSink::finish() {
   if (overflowed_) return {};
+  v1::TileFactors& message = tables_.message();
   for (const std::vector<Pair>& pixel : pixels_) {
-    tables_.add_count(static_cast<std::uint32_t>(pixel.size()));
+    message.add_count(static_cast<std::uint32_t>(pixel.size()));
     for (const Pair& pair : pixel) {
-      tables_.add_signature(pair.signature);
-      tables_.add_weight(pair.weight);
+      message.add_signature(pair.signature);
+      message.add_weight(pair.weight);
     }
   }
-  return std::move(tables_);
+  return std::move(message);
 }
 
 v1::SceneFactors scene_factors(const RenderScene& scene) {

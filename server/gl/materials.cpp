@@ -87,17 +87,16 @@ Words material_words(const RenderScene& scene, const FactorRows& rows) {
   for (std::uint32_t m = 0; m < scene.materials.size(); ++m) {
     const RenderMaterial& material = scene.materials[m];
     const models::Reflection<float>& own = material.reflection;
-    const FactorRows::Surface& surface = rows.surface(m);
     Words words(Place::size);
     words[model] = static_cast<std::uint32_t>(own.model);
     words[diffuse_term] = static_cast<std::uint32_t>(own.diffuse);
     words[slope_count] = static_cast<std::uint32_t>(own.slope_count);
     words[attenuation] = static_cast<std::uint32_t>(own.attenuation);
     words[roughness] = std::bit_cast<std::uint32_t>(own.roughness);
-    words[fresnel] = static_cast<std::uint32_t>(surface.fresnel);
-    words[diffuse_row] = surface.diffuse;
-    words[specular_row] = surface.specular;
-    words[first_node] = surface.first_node;
+    words[fresnel] = static_cast<std::uint32_t>(material.fresnel);
+    words[diffuse_row] = rows.diffuse(m);
+    words[specular_row] = rows.specular(m);
+    words[first_node] = rows.row({FactorKind::fresnel, m, 0});
     words[ambient] = material.has(models::has_ambient);
     set(words, parameters, own.parameters);
     set(words, diffuse_parameters, own.diffuse_parameters);

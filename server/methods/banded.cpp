@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "common/transport/fold.h"
+
 namespace metamer {
 namespace {
 
@@ -10,8 +12,8 @@ namespace {
 using Row = float* __restrict;
 using ConstRow = const float* __restrict;
 
-void add_diffuse(std::size_t n, Row carrier, ConstRow light, ConstRow diffuse, float d) {
-  for (std::size_t i = 0; i < n; ++i) carrier[i] += light[i] * (d * diffuse[i]);
+void add_term(std::size_t n, Row carrier, ConstRow light, ConstRow row, float weight) {
+  for (std::size_t i = 0; i < n; ++i) carrier[i] += light[i] * (weight * row[i]);
 }
 
 void add_lobes(std::size_t n, Row carrier, ConstRow light, ConstRow diffuse, ConstRow specular,
@@ -20,13 +22,13 @@ void add_lobes(std::size_t n, Row carrier, ConstRow light, ConstRow diffuse, Con
     carrier[i] += light[i] * (w.diffuse * diffuse[i] + (w.specular * specular[i] + w.white));
 }
 
-/// Over a mirror whose factor is one row, or a weighted sum of two.
-void add_mirrored(std::size_t n, Row carrier, ConstRow incoming, ConstRow row) {
+/// Over a factor that is one row, or a weighted sum of two.
+void add_product(std::size_t n, Row carrier, ConstRow incoming, ConstRow row) {
   for (std::size_t i = 0; i < n; ++i) carrier[i] += incoming[i] * row[i];
 }
 
-void add_mirrored(std::size_t n, Row carrier, ConstRow incoming, ConstRow first, float w,
-                  ConstRow second, float v) {
+void add_product(std::size_t n, Row carrier, ConstRow incoming, ConstRow first, float w,
+                 ConstRow second, float v) {
   for (std::size_t i = 0; i < n; ++i) carrier[i] += incoming[i] * (w * first[i] + v * second[i]);
 }
 
@@ -64,7 +66,7 @@ std::vector<float> BandTable::packed() const {
 
 namespace {
 
-/// The carriers of a pixel's paths.
+/// The bands of a pixel's chains.
 struct Carriers : Method::Scratch {
   std::vector<float> values;
 };
@@ -78,56 +80,52 @@ std::unique_ptr<Method::Scratch> BandedMethod::make_scratch() const {
 BandedMethod::BandedMethod(FactorRows rows, Tables tables)
     : rows_(std::move(rows)), tables_(std::move(tables)) {}
 
-/// Adds what one surface reflects of each light.
-void BandedMethod::reflect(const Gather& gather, std::size_t surface, float* carrier) const {
-  const std::size_t n = tables_.xyz.stride();
-  const FactorRows::Surface& own = rows_.surface(gather.surfaces()[surface].material);
-  const float* diffuse = tables_.rows.row(own.diffuse);
-  const float* specular = tables_.rows.row(own.specular);
-  const auto weights = gather.weights(surface);
-  for (std::size_t light = 0; light < weights.size(); ++light) {
-    const LobeWeights& w = weights[light];
-    if (w.specular != 0 || w.white != 0)
-      add_lobes(n, carrier, tables_.lights.row(light), diffuse, specular, w);
-    else if (w.diffuse != 0)
-      add_diffuse(n, carrier, tables_.lights.row(light), diffuse, w.diffuse);
+/// Reflects each light at the end of a chain, and carries it back to the eye.
+struct BandedMethod::Fold : FoldHooks {
+  const FactorRows& rows;
+  const Tables& tables;
+  std::size_t n;
+  float* carriers;
+
+  float* carrier(std::uint32_t chain) const { return carriers + chain * n; }
+
+  void lobes(std::uint32_t chain, std::uint32_t material, std::span<const LobeWeights> weights) {
+    const float* diffuse = tables.rows.row(rows.diffuse(material));
+    const float* specular = tables.rows.row(rows.specular(material));
+    for (std::size_t light = 0; light < weights.size(); ++light) {
+      const LobeWeights& w = weights[light];
+      if (w.specular != 0 || w.white != 0)
+        add_lobes(n, carrier(chain), tables.lights.row(light), diffuse, specular, w);
+      else if (w.diffuse != 0)
+        add_term(n, carrier(chain), tables.lights.row(light), diffuse, w.diffuse);
+    }
   }
-}
+
+  void term(std::uint32_t chain, std::uint32_t light, const FactorNode& factor, float weight) {
+    add_term(n, carrier(chain), tables.lights.row(light), tables.rows.row(rows.row(factor)),
+             weight);
+  }
+
+  void leave(std::uint32_t chain, std::uint32_t parent, const Factor& factor) {
+    const FactorRows::Mix mix = rows.mix(factor);
+    const float* first = tables.rows.row(mix.row[0]);
+    if (mix.count == 1)
+      add_product(n, carrier(parent), carrier(chain), first);
+    else
+      add_product(n, carrier(parent), carrier(chain), first, mix.weight[0],
+                  tables.rows.row(mix.row[1]), mix.weight[1]);
+  }
+};
 
 std::array<float, 3> BandedMethod::resolve(const Gather& gather, float scale,
                                            Scratch& scratch) const {
   const std::size_t n = tables_.xyz.stride();
-  const auto paths = gather.paths();
   std::vector<float>& carriers = static_cast<Carriers&>(scratch).values;
-  carriers.assign(paths.size() * n, 0.0f);
-  const auto carrier = [&](std::size_t path) { return carriers.data() + path * n; };
-
-  // Reflect each light by each surface, at the end of the surface's path.
-  const auto surfaces = gather.surfaces();
-  for (std::size_t s = 0; s < surfaces.size(); ++s) reflect(gather, s, carrier(surfaces[s].path));
-  for (const Gather::FresnelWeight& one : gather.fresnel()) {
-    const Gather::Surface& surface = surfaces[one.surface];
-    add_diffuse(n, carrier(surface.path), tables_.lights.row(one.light),
-                tables_.rows.row(rows_.surface(surface.material).first_node + one.node),
-                one.weight);
-  }
-
-  // Carry the light back over the mirrors, the longest paths first.
-  for (std::size_t path = paths.size(); path-- > 1;) {
-    float* to = carrier(paths[path].parent);
-    const FactorRows::Factor mirror = rows_.mirror(paths[path].material, paths[path].cosine);
-    const float* first = tables_.rows.row(mirror.row[0]);
-    if (mirror.count == 1)
-      add_mirrored(n, to, carrier(path), first);
-    else
-      add_mirrored(n, to, carrier(path), first, mirror.weight[0], tables_.rows.row(mirror.row[1]),
-                   mirror.weight[1]);
-  }
-
-  // Integrate what reaches the eye.
-  return {scale * dot(n, carrier(0), tables_.xyz.row(0)),
-          scale * dot(n, carrier(0), tables_.xyz.row(1)),
-          scale * dot(n, carrier(0), tables_.xyz.row(2))};
+  carriers.assign(gather.chains().size() * n, 0.0f);
+  fold(gather, Fold{{}, rows_, tables_, n, carriers.data()});
+  const float* seen = carriers.data();
+  return {scale * dot(n, seen, tables_.xyz.row(0)), scale * dot(n, seen, tables_.xyz.row(1)),
+          scale * dot(n, seen, tables_.xyz.row(2))};
 }
 
 DirectTables BandedMethod::direct_tables() const {

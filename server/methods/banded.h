@@ -54,7 +54,7 @@ class BandedMethod : public Method {
   DirectTables direct_tables() const override;
 
  private:
-  void reflect(const Gather& gather, std::size_t surface, float* carrier) const;
+  struct Fold;
 
   FactorRows rows_;
   Tables tables_;

@@ -4,15 +4,16 @@
 
 #include "common/color/xyz.h"
 #include "common/scene/settings.h"
+#include "common/transport/fold.h"
 #include "server/methods/banded.h"
 
 namespace metamer {
 namespace {
 
-/// What a thread keeps of paths over mirrors: products of their rows (2 KiB each), and signatures.
+/// What a thread keeps of chains: products of their rows (2 KiB each), and signatures.
 constexpr std::size_t max_products = 1 << 13, max_signatures = 1 << 19;
-/// Light over several mirrors with Fresnel terms is a sum of 2 ^ mirrors products, up to here.
-constexpr std::size_t max_terms = 16;
+/// A chain of factors that lie between nodes is a sum of 2 ^ factors products, up to here.
+constexpr std::size_t max_parts = 16;
 
 /// Σ a b c in 16 partial sums.
 float integrate(std::size_t n, const float* __restrict a, const float* __restrict b,
@@ -25,14 +26,14 @@ float integrate(std::size_t n, const float* __restrict a, const float* __restric
   return sums[0];
 }
 
-/// The product of the rows of a path's mirrors, by number; `direct` is the path without any.
+/// The product of the rows of a chain, by number; `direct` is that of the chain without any.
 using Product = std::uint32_t;
 constexpr Product direct = 0;
 
 std::uint64_t key(Product product, std::uint32_t row) { return std::uint64_t{product} << 32 | row; }
 
-/// A path's light is a weighted sum of products.
-struct Term {
+/// A chain is a weighted sum of products.
+struct Part {
   Product product;
   float weight;
 };
@@ -41,8 +42,8 @@ struct Memory : Method::Scratch {
   std::vector<std::vector<float>> products;                      ///< [0] is not used.
   std::unordered_map<std::uint64_t, Product> longer;             ///< Product × row.
   std::unordered_map<std::uint64_t, std::vector<float>> colors;  ///< XYZ of product × row by light.
-  std::vector<Term> terms;        ///< Of all of a pixel's paths, one after the other.
-  std::vector<std::size_t> ends;  ///< Where each path's terms end.
+  std::vector<Part> parts;        ///< Of all of a pixel's chains, one after the other.
+  std::vector<std::size_t> ends;  ///< Where each chain's parts end.
 
   /// Forgets everything before it grows too large; only between pixels.
   void bound() {
@@ -71,24 +72,12 @@ class ExactMethod : public Method {
   std::array<float, 3> resolve(const Gather& gather, float scale, Scratch& scratch) const override {
     auto& memory = static_cast<Memory&>(scratch);
     memory.bound();
-    find_terms(gather, memory);
-    std::array<float, 3> xyz{};
-    const auto surfaces = gather.surfaces();
-    for (std::size_t s = 0; s < surfaces.size(); ++s) {
-      const FactorRows::Surface& own = rows_.surface(surfaces[s].material);
-      for_each_term(surfaces[s].path, memory, [&](const Term& term) {
-        add_lobes(term, own, gather.weights(s), memory, xyz);
-      });
-    }
-    for (const Gather::FresnelWeight& one : gather.fresnel()) {
-      const Gather::Surface& surface = surfaces[one.surface];
-      const std::uint32_t row = rows_.surface(surface.material).first_node + one.node;
-      for_each_term(surface.path, memory, [&](const Term& term) {
-        add(term.weight * one.weight, color(term.product, row, memory) + 3 * one.light, xyz);
-      });
-    }
-    for (float& value : xyz) value *= scale;
-    return xyz;
+    memory.parts.assign(1, {direct, 1});
+    memory.ends.assign(1, 1);
+    Fold carrier{{}, *this, memory, {}};
+    fold(gather, carrier);
+    for (float& value : carrier.xyz) value *= scale;
+    return carrier.xyz;
   }
 
   /// Each signature is X Y Z already.
@@ -106,64 +95,78 @@ class ExactMethod : public Method {
   }
 
  private:
-  static void add(float weight, const float* color, std::array<float, 3>& xyz) {
-    for (std::size_t i = 0; i < 3; ++i) xyz[i] += weight * color[i];
-  }
+  /// Names the products of each chain, and sums what their signatures are worth.
+  struct Fold : FoldHooks {
+    const ExactMethod& method;
+    Memory& memory;
+    std::array<float, 3> xyz;
 
-  template <class Action>
-  static void for_each_term(std::uint32_t path, const Memory& memory, Action action) {
-    const std::size_t begin = path == 0 ? 0 : memory.ends[path - 1];
-    for (std::size_t t = begin; t < memory.ends[path]; ++t) action(memory.terms[t]);
-  }
-
-  void add_lobes(const Term& term, const FactorRows::Surface& own,
-                 std::span<const LobeWeights> weights, Memory& memory,
-                 std::array<float, 3>& xyz) const {
-    const float* diffuse = color(term.product, own.diffuse, memory);
-    const float* specular = color(term.product, own.specular, memory);
-    const float* white = color(term.product, FactorRows::white, memory);
-    for (const LobeWeights& w : weights) {
-      add(term.weight * w.diffuse, diffuse, xyz);
-      if (w.specular != 0) add(term.weight * w.specular, specular, xyz);
-      if (w.white != 0) add(term.weight * w.white, white, xyz);
-      diffuse += 3;
-      specular += 3;
-      white += 3;
-    }
-  }
-
-  /// The terms of each of the pixel's paths; a path comes after its parent.
-  void find_terms(const Gather& gather, Memory& memory) const {
-    memory.terms.assign(1, {direct, 1});
-    memory.ends.assign(1, 1);
-    for (std::size_t path = 1; path < gather.paths().size(); ++path) {
-      const Gather::Path& own = gather.paths()[path];
-      const FactorRows::Factor mirror = rows_.mirror(own.material, own.cosine);
-      const std::size_t begin = own.parent == 0 ? 0 : memory.ends[own.parent - 1];
-      const std::size_t end = memory.ends[own.parent];
-      const std::size_t first = memory.terms.size();
+    void enter(std::uint32_t, std::uint32_t parent, const Factor& factor) {
+      const FactorRows::Mix mix = method.rows_.mix(factor);
+      const auto [begin, end] = parts_of(parent);
+      const std::size_t first = memory.parts.size();
       for (std::size_t t = begin; t < end; ++t)
-        for (int j = 0; j < mirror.count; ++j) {
-          const auto i = static_cast<std::size_t>(j);
-          if (mirror.weight[i] == 0) continue;
-          const Term parent = memory.terms[t];
-          memory.terms.push_back(
-              {longer(parent.product, mirror.row[i], memory), parent.weight * mirror.weight[i]});
+        for (std::size_t j = 0; j < mix.count; ++j) {
+          if (mix.weight[j] == 0) continue;
+          const Part part = memory.parts[t];
+          memory.parts.push_back(
+              {method.longer(part.product, mix.row[j], memory), part.weight * mix.weight[j]});
         }
-      if (memory.terms.size() - first > max_terms) merge(first, memory);
-      memory.ends.push_back(memory.terms.size());
+      if (memory.parts.size() - first > max_parts) method.merge(first, memory);
+      memory.ends.push_back(memory.parts.size());
     }
-  }
 
-  /// Makes one product of the terms from `first` on. It has no name and is met only once.
+    void lobes(std::uint32_t chain, std::uint32_t material, std::span<const LobeWeights> weights) {
+      const std::uint32_t diffuse = method.rows_.diffuse(material);
+      const std::uint32_t specular = method.rows_.specular(material);
+      const auto [begin, end] = parts_of(chain);
+      for (std::size_t t = begin; t < end; ++t)
+        add_lobes(memory.parts[t], diffuse, specular, weights);
+    }
+
+    void term(std::uint32_t chain, std::uint32_t light, const FactorNode& factor, float weight) {
+      const std::uint32_t row = method.rows_.row(factor);
+      const auto [begin, end] = parts_of(chain);
+      for (std::size_t t = begin; t < end; ++t) {
+        const Part& part = memory.parts[t];
+        add(part.weight * weight, method.color(part.product, row, memory) + 3 * light);
+      }
+    }
+
+   private:
+    std::pair<std::size_t, std::size_t> parts_of(std::uint32_t chain) const {
+      return {chain == 0 ? 0 : memory.ends[chain - 1], memory.ends[chain]};
+    }
+
+    void add(float weight, const float* color) {
+      for (std::size_t i = 0; i < 3; ++i) xyz[i] += weight * color[i];
+    }
+
+    void add_lobes(const Part& part, std::uint32_t diffuse_row, std::uint32_t specular_row,
+                   std::span<const LobeWeights> weights) {
+      const float* diffuse = method.color(part.product, diffuse_row, memory);
+      const float* specular = method.color(part.product, specular_row, memory);
+      const float* white = method.color(part.product, FactorRows::white, memory);
+      for (const LobeWeights& w : weights) {
+        add(part.weight * w.diffuse, diffuse);
+        if (w.specular != 0) add(part.weight * w.specular, specular);
+        if (w.white != 0) add(part.weight * w.white, white);
+        diffuse += 3;
+        specular += 3;
+        white += 3;
+      }
+    }
+  };
+
+  /// Makes one product of the parts from `first` on. It has no name and is met only once.
   void merge(std::size_t first, Memory& memory) const {
     std::vector<float> sum(stride());
-    for (std::size_t t = first; t < memory.terms.size(); ++t) {
-      const float* product = product_of(memory.terms[t].product, memory);
-      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += memory.terms[t].weight * product[i];
+    for (std::size_t t = first; t < memory.parts.size(); ++t) {
+      const float* product = product_of(memory.parts[t].product, memory);
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += memory.parts[t].weight * product[i];
     }
-    memory.terms.resize(first);
-    memory.terms.push_back({keep(std::move(sum), memory), 1});
+    memory.parts.resize(first);
+    memory.parts.push_back({keep(std::move(sum), memory), 1});
   }
 
   static Product keep(std::vector<float> product, Memory& memory) {

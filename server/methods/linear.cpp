@@ -4,6 +4,7 @@
 
 #include "common/color/xyz.h"
 #include "common/scene/settings.h"
+#include "common/transport/fold.h"
 #include "server/methods/banded.h"
 #include "server/methods/exact.h"
 #include "server/methods/scene_spectra.h"
@@ -36,42 +37,13 @@ class LinearMethod : public Method {
   std::unique_ptr<Scratch> make_scratch() const override { return std::make_unique<Carriers>(); }
 
   std::array<float, 3> resolve(const Gather& gather, float scale, Scratch& scratch) const override {
-    const std::size_t n = tables_.xyz.stride();
-    const auto paths = gather.paths();
     std::vector<float>& carriers = static_cast<Carriers&>(scratch).values;
-    carriers.assign(paths.size() * n, 0.0f);
-    const auto carrier = [&](std::size_t path) { return carriers.data() + path * n; };
-
-    // Reflect each light by each surface, at the end of the surface's path.
-    const auto surfaces = gather.surfaces();
-    for (std::size_t s = 0; s < surfaces.size(); ++s) {
-      const FactorRows::Surface& own = rows_.surface(surfaces[s].material);
-      const auto weights = gather.weights(s);
-      for (std::size_t light = 0; light < weights.size(); ++light) {
-        float* to = carrier(surfaces[s].path);
-        const LobeWeights& w = weights[light];
-        add(w.diffuse, reflected(light, own.diffuse), to);
-        if (w.specular != 0) add(w.specular, reflected(light, own.specular), to);
-        if (w.white != 0) add(w.white, reflected(light, FactorRows::white), to);
-      }
-    }
-    for (const Gather::FresnelWeight& one : gather.fresnel()) {
-      const Gather::Surface& surface = surfaces[one.surface];
-      add(one.weight, reflected(one.light, rows_.surface(surface.material).first_node + one.node),
-          carrier(surface.path));
-    }
-
-    // Carry the light back over the mirrors, the longest paths first.
-    for (std::size_t path = paths.size(); path-- > 1;) {
-      const FactorRows::Factor mirror = rows_.mirror(paths[path].material, paths[path].cosine);
-      for (std::size_t j = 0; j < static_cast<std::size_t>(mirror.count); ++j)
-        add_mirrored(mirror.weight[j], mirror.row[j], carrier(path), carrier(paths[path].parent));
-    }
-
+    carriers.assign(gather.chains().size() * stride(), 0.0f);
+    fold(gather, Fold{{}, *this, carriers.data()});
     std::array<float, 3> xyz{};
     for (std::size_t axis = 0; axis < 3; ++axis)
       for (std::size_t i = 0; i < bases_; ++i)
-        xyz[axis] += scale * tables_.xyz.row(axis)[i] * carrier(0)[i];
+        xyz[axis] += scale * tables_.xyz.row(axis)[i] * carriers[i];
     return xyz;
   }
 
@@ -88,19 +60,38 @@ class LinearMethod : public Method {
   }
 
  private:
-  const float* reflected(std::size_t light, std::uint32_t row) const {
-    return tables_.reflected.row(row * lights_ + light);
-  }
+  std::size_t stride() const { return tables_.xyz.stride(); }
 
   void add(float weight, const float* __restrict from, float* __restrict to) const {
-    for (std::size_t i = 0; i < tables_.xyz.stride(); ++i) to[i] += weight * from[i];
+    for (std::size_t i = 0; i < stride(); ++i) to[i] += weight * from[i];
   }
 
-  /// E[3.3-7], a column of the row's matrix for each coefficient that arrives.
-  void add_mirrored(float weight, std::uint32_t row, const float* from, float* to) const {
-    for (std::size_t i = 0; i < bases_; ++i)
-      add(weight * from[i], tables_.matrices.row(row * bases_ + i), to);
-  }
+  /// Reflects each light at the end of a chain, and carries it back to the eye.
+  struct Fold : FoldHooks {
+    const LinearMethod& method;
+    float* carriers;
+
+    float* carrier(std::uint32_t chain) const { return carriers + chain * method.stride(); }
+
+    void lobes(std::uint32_t chain, std::uint32_t material, std::span<const LobeWeights> weights) {
+      lobes_as_terms(*this, chain, material, weights);
+    }
+
+    void term(std::uint32_t chain, std::uint32_t light, const FactorNode& factor, float weight) {
+      const std::size_t row = method.rows_.row(factor);
+      method.add(weight, method.tables_.reflected.row(row * method.lights_ + light),
+                 carrier(chain));
+    }
+
+    /// E[3.3-7], a column of a row's matrix for each coefficient that arrives.
+    void leave(std::uint32_t chain, std::uint32_t parent, const Factor& factor) {
+      const FactorRows::Mix mix = method.rows_.mix(factor);
+      for (std::size_t j = 0; j < mix.count; ++j)
+        for (std::size_t i = 0; i < method.bases_; ++i)
+          method.add(mix.weight[j] * carrier(chain)[i],
+                     method.tables_.matrices.row(mix.row[j] * method.bases_ + i), carrier(parent));
+    }
+  };
 
   FactorRows rows_;
   Tables tables_;

@@ -8,6 +8,7 @@
 
 #include "common/color/error_statistics.h"
 #include "server/cpu/tracer.h"
+#include "server/transport/mirror.h"
 
 namespace metamer {
 namespace {
@@ -24,8 +25,7 @@ class ColorPatch {
 
   ColorPatch over(const RenderScene& scene, std::uint32_t mirror) const {
     ColorPatch other = *this;
-    const bool plain = scene.materials[mirror].fresnel == FresnelKind::none;
-    other.path_ = other.gather_.path(0, mirror, plain ? 0.0f : 1.0f);
+    other.chain_ = other.gather_.chain(0, mirror_factor(scene.materials[mirror], mirror, 1));
     return other;
   }
   Gather diffuse(std::uint32_t material) const {
@@ -36,18 +36,18 @@ class ColorPatch {
     if (scene.materials[material].fresnel != FresnelKind::exact)
       return with(material, {.diffuse = 0, .specular = 1, .white = 0});
     Gather gather = gather_;
-    gather.add_fresnel(gather.surface(path_, material), light_, fresnel_nodes - 1, 1);
+    gather.add(chain_, light_, {FactorKind::fresnel, material, fresnel_nodes - 1}, 1);
     return gather;
   }
 
  private:
   Gather with(std::uint32_t material, const LobeWeights& weights) const {
     Gather gather = gather_;
-    gather.weights(gather.surface(path_, material), light_) = weights;
+    gather.weights(gather.surface(chain_, material), light_) = weights;
     return gather;
   }
 
-  std::uint32_t light_, path_ = 0;
+  std::uint32_t light_, chain_ = 0;
   Gather gather_;
 };
 

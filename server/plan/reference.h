@@ -1,11 +1,10 @@
 #pragma once
 
-#include <map>
 #include <vector>
 
 #include "common/color/xyz.h"
-#include "common/scene/fresnel_table.h"
 #include "common/spectral/cie.h"
+#include "common/transport/factor_values.h"
 #include "server/scene/render_scene.h"
 #include "server/transport/gather.h"
 
@@ -27,17 +26,12 @@ class Reference {
 
  private:
   using Values = std::vector<double>;
-  void add_surface(const Gather& gather, std::size_t surface, Values& carrier) const;
-  Values mirror(const Gather::Path& path);
-  const Values& fresnel_row(std::uint32_t constants, std::uint32_t node);
+  struct Fold;
 
-  const RenderScene& scene_;
   ObserverWeights observer_;
   std::size_t bands_;
-  std::vector<Values> lights_;      ///< With their luminance, E[3.2-4].
-  std::vector<Values> properties_;  ///< At every nm.
-  std::vector<ConstantsAt> constants_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, Values> fresnel_rows_;
+  std::vector<Values> lights_;    ///< With their luminance, E[3.2-4].
+  FactorValues<double> factors_;  ///< At every nm.
   Xyz white_{1, 1, 1};
 };
 

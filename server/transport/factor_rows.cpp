@@ -1,48 +1,61 @@
 #include "server/transport/factor_rows.h"
 
-#include "common/scene/fresnel_table.h"
-#include "server/models/lanes.h"
+#include <algorithm>
+#include <map>
+#include <typeindex>
+
+#include "server/transport/expand.h"
 
 namespace metamer {
 
-FactorRows::FactorRows(const RenderScene& scene) {
-  const auto properties = static_cast<std::uint32_t>(scene.properties.size());
+FactorSources factor_sources(const RenderScene& scene) {
+  FactorSources sources;
   for (const RenderMaterial& material : scene.materials)
-    surfaces_.push_back({material.fresnel, 1 + material.diffuse, 1 + material.specular,
-                         1 + properties + material.constants * fresnel_nodes});
-  size_ = 1 + properties + static_cast<std::uint32_t>(scene.constants.size()) * fresnel_nodes;
+    sources.materials.push_back(
+        {&scene.properties[material.diffuse], &scene.properties[material.specular],
+         material.fresnel == FresnelKind::exact ? &scene.constants[material.constants] : nullptr});
+  return sources;
 }
 
-FactorRows::Factor FactorRows::mirror(std::uint32_t material, float cosine) const {
-  const Surface& own = surfaces_[material];
-  switch (own.fresnel) {
-    case FresnelKind::none:
-      break;
-    case FresnelKind::schlick: {
-      const float rise = models::schlick_rise(cosine);
-      return {{own.specular, white}, {1 - rise, rise}, 2};
-    }
-    case FresnelKind::exact: {
-      const FresnelPlace place = fresnel_place(cosine);
-      const std::uint32_t below = own.first_node + place.below;
-      return {{below, below + 1}, {1 - place.fraction, place.fraction}, 2};
-    }
-  }
-  return {{own.specular, white}, {1, 0}, 1};
+FactorRows::FactorRows(const RenderScene& scene) {
+  const FactorSources sources = factor_sources(scene);
+  // Factors of the same source share their rows.
+  std::map<std::pair<std::type_index, const void*>, std::uint32_t> known;
+  for (const FactorEntry& entry : factor_entries)
+    with_kind(entry.kind, [&]<class Kind>(Kind) {
+      const auto count = static_cast<std::uint32_t>(Kind::count(sources));
+      first_.resize(std::max(first_.size(), count * factor_kind_count));
+      for (std::uint32_t index = 0; index < count; ++index) {
+        const auto* source = Kind::source(sources, index);
+        if (source == nullptr) continue;
+        const auto [place, is_new] =
+            known.try_emplace({typeid(typename Kind::Table), source}, size_);
+        if (is_new) {
+          tables_.push_back({entry.kind, index});
+          size_ += Kind::Table::nodes;
+        }
+        first_[index * factor_kind_count + static_cast<std::size_t>(entry.kind)] = place->second;
+      }
+    });
+}
+
+FactorRows::Mix FactorRows::mix(const Factor& factor) const {
+  const FactorNodes<float> nodes = expand<float>(factor);
+  return {{row(nodes.node[0]), nodes.count > 1 ? row(nodes.node[1]) : white},
+          nodes.weight,
+          nodes.count};
 }
 
 void FactorRows::for_each(
     const RenderScene& scene, const std::vector<double>& nm,
     const std::function<void(std::uint32_t row, std::vector<double> values)>& take) const {
-  take(white, std::vector<double>(nm.size(), 1.0));
-  std::uint32_t row = white + 1;
-  for (const Spectrum& property : scene.properties)
-    take(row++, resample(property, nm, Outside::hold).values);
-  for (const OpticalConstants& constants : scene.constants) {
-    const ConstantsAt at = resample(constants, nm);
-    for (std::uint32_t node = 0; node < fresnel_nodes; ++node)
-      take(row++, fresnel_at(at, fresnel_node(node)));
-  }
+  const FactorSources sources = factor_sources(scene);
+  std::uint32_t row = 0;
+  for (const Table& own : tables_)
+    with_kind(own.kind, [&]<class Kind>(Kind) {
+      const FactorTable table = Kind::Table::make(*Kind::source(sources, own.index), nm);
+      for (std::uint32_t node = 0; node < Kind::Table::nodes; ++node) take(row++, table(node));
+    });
 }
 
 }  // namespace metamer

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "common/transport/factor.h"
 
 namespace metamer {
 
@@ -13,93 +14,115 @@ struct LobeWeights {
   float diffuse = 0, specular = 0, white = 0;
 };
 
-/// What a pixel receives, before any spectrum. Everything that does not depend on wavelength has
-/// been multiplied and summed into weights, so spectral work is done once for each distinct
-/// combination in the pixel instead of once for each sample:
+/// What a pixel receives, before any spectrum: a sum of terms weight · light · factor · factor · …
+/// Everything that does not depend on wavelength has been multiplied and summed into weights, so
+/// spectral work is done once for each distinct combination in the pixel instead of once for each
+/// sample. The same combination is never stored twice. fold() (common/transport/fold.h) walks over
+/// it.
 ///
-///     L(λ) = Σ_surfaces throughput_path(λ) · Σ_lights Φ(λ) · (d C_D(λ) + s C_S(λ) + w + Σ_u f_u
-///     F(u; λ))
-///
-/// A path is the sequence of mirrors between eye and surface; its throughput is the product of
-/// their Fresnel terms, C_S where there is none. Path 0 goes straight from the eye. The same
-/// combination is never stored twice. The cosines u of an exact Fresnel term fall on the nodes of a
-/// table (fresnel_table.h).
+/// A chain is the sequence of factors between eye and surface; chain 0 goes straight from the eye.
+/// The factor of the surface itself is the term's own: what it makes of a light is what methods
+/// tabulate. Most terms are the three lobes of a surface, which are kept as a block for all lights.
 class Gather {
  public:
   explicit Gather(std::size_t lights) : lights_(lights) { clear(); }
 
-  struct Path {
-    std::uint32_t parent;    ///< Its path without the last mirror; lower than its own index.
-    std::uint32_t material;  ///< Of the last mirror.
-    float cosine;            ///< At the last mirror; 0 where it has no Fresnel term.
+  struct Chain {
+    std::uint32_t parent;  ///< The chain without its last factor; lower than its own index.
+    Factor factor;         ///< The last; of chain 0 none.
   };
+  /// Where a material is seen along a chain.
   struct Surface {
-    std::uint32_t path, material;
+    std::uint32_t chain, material;
+  };
+  struct Term {
+    FactorNode factor;
+    std::uint32_t chain, light;
+    float weight;
   };
 
   void clear() {
-    paths_.assign(1, {0, 0, 0});
+    chains_.assign(1, {0, {FactorKind::white, 0, 0}});
     surfaces_.clear();
     weights_.clear();
-    fresnel_.clear();
+    terms_.clear();
   }
 
-  /// The path that continues `parent` over a mirror of `material`, met at `cosine`.
-  std::uint32_t path(std::uint32_t parent, std::uint32_t material, float cosine) {
-    for (std::size_t i = 1; i < paths_.size(); ++i)
-      if (paths_[i].parent == parent && paths_[i].material == material &&
-          paths_[i].cosine == cosine)
+  /// The chain that continues `parent` by `factor`.
+  std::uint32_t chain(std::uint32_t parent, const Factor& factor) {
+    for (std::size_t i = 1; i < chains_.size(); ++i)
+      if (chains_[i].parent == parent && chains_[i].factor == factor)
         return static_cast<std::uint32_t>(i);
-    paths_.push_back({parent, material, cosine});
-    return static_cast<std::uint32_t>(paths_.size() - 1);
+    chains_.push_back({parent, factor});
+    return static_cast<std::uint32_t>(chains_.size() - 1);
   }
 
-  /// The surface of `material` seen along `path`.
-  std::uint32_t surface(std::uint32_t path, std::uint32_t material) {
+  /// The surface of `material` seen along `chain`.
+  std::uint32_t surface(std::uint32_t chain, std::uint32_t material) {
     for (std::size_t i = 0; i < surfaces_.size(); ++i)
-      if (surfaces_[i].path == path && surfaces_[i].material == material)
+      if (surfaces_[i].chain == chain && surfaces_[i].material == material)
         return static_cast<std::uint32_t>(i);
-    surfaces_.push_back({path, material});
+    surfaces_.push_back({chain, material});
     weights_.resize(weights_.size() + lights_);
     return static_cast<std::uint32_t>(surfaces_.size() - 1);
   }
 
-  /// The weights that a surface gathers from one light.
+  /// The weights of a surface's diffuse, specular and white factors under one light.
   LobeWeights& weights(std::uint32_t surface, std::size_t light) {
     return weights_[surface * lights_ + light];
   }
 
-  /// The weight of an exact Fresnel term that a surface gathers from one light at a node.
-  struct FresnelWeight {
-    std::uint32_t surface, light, node;
-    float weight;
-  };
-  void add_fresnel(std::uint32_t surface, std::uint32_t light, std::uint32_t node, float weight) {
+  /// Adds to the weight of any other factor.
+  void add(std::uint32_t chain, std::uint32_t light, const FactorNode& factor, float weight) {
     // The samples of a pixel are much alike: look at the newest first.
-    for (std::size_t i = fresnel_.size(); i-- > 0;) {
-      FresnelWeight& one = fresnel_[i];
-      if (one.node == node && one.light == light && one.surface == surface) {
+    for (std::size_t i = terms_.size(); i-- > 0;) {
+      Term& one = terms_[i];
+      if (one.factor.node == factor.node && one.light == light && one.chain == chain &&
+          one.factor == factor) {
         one.weight += weight;
         return;
       }
     }
-    fresnel_.push_back({surface, light, node, weight});
+    terms_.push_back({factor, chain, light, weight});
   }
 
-  std::span<const FresnelWeight> fresnel() const { return fresnel_; }
-  std::span<const Path> paths() const { return paths_; }
+  std::span<const Chain> chains() const { return chains_; }
   std::span<const Surface> surfaces() const { return surfaces_; }
+  std::span<const Term> terms() const { return terms_; }
   /// One for each light.
   std::span<const LobeWeights> weights(std::size_t surface) const {
     return std::span(weights_).subspan(surface * lights_, lights_);
   }
 
+  /// For fold(): the lobes of each surface by carrier.lobes(chain, material, weights by light),
+  /// then the other terms.
+  template <class Carrier>
+  void for_each_term(Carrier& carrier) const {
+    for (std::size_t s = 0; s < surfaces_.size(); ++s)
+      carrier.lobes(surfaces_[s].chain, surfaces_[s].material, weights(s));
+    for (const Term& one : terms_) carrier.term(one.chain, one.light, one.factor, one.weight);
+  }
+
  private:
   std::size_t lights_;
-  std::vector<Path> paths_;
+  std::vector<Chain> chains_;
   std::vector<Surface> surfaces_;
   std::vector<LobeWeights> weights_;
-  std::vector<FresnelWeight> fresnel_;
+  std::vector<Term> terms_;
 };
+
+/// A surface's lobes as terms, where a carrier has no faster way for the three together.
+template <class Carrier>
+void lobes_as_terms(Carrier& carrier, std::uint32_t chain, std::uint32_t material,
+                    std::span<const LobeWeights> weights) {
+  for (std::uint32_t light = 0; light < weights.size(); ++light) {
+    const LobeWeights& w = weights[light];
+    if (w.diffuse != 0)
+      carrier.term(chain, light, FactorNode{FactorKind::diffuse, material, 0}, w.diffuse);
+    if (w.specular != 0)
+      carrier.term(chain, light, FactorNode{FactorKind::specular, material, 0}, w.specular);
+    if (w.white != 0) carrier.term(chain, light, FactorNode{FactorKind::white, 0, 0}, w.white);
+  }
+}
 
 }  // namespace metamer

@@ -234,7 +234,7 @@ void Job::render_some(const cpu::Tracer& tracer, const v1::RenderTiles& message,
   tbb::parallel_for(0u, plan_.threads(), [&](unsigned) {
     cpu::Tracer::Workspace workspace = tracer.make_workspace();
     FilmSink film_sink(*method_, film, plan_.spp());
-    FactorSink factor_sink(*scene_, film_sink, plan_.spp());
+    FactorSink factor_sink(film_sink, plan_.spp());
     PixelSink& sink = keep_factors_ ? static_cast<PixelSink&>(factor_sink) : film_sink;
     const std::uint64_t start = cpu::ticks();
     for (int i = next++; i < message.tile_size() && !stopped_; i = next++) {

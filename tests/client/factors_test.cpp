@@ -10,10 +10,13 @@
 #include <fstream>
 #include <functional>
 #include <limits>
+#include <random>
 
 #include "client/relight/relight.h"
 #include "common/models/reference.h"
 #include "common/scene/fresnel_table.h"
+#include "common/transport/factor_kinds.h"
+#include "common/transport/message_tables.h"
 
 namespace metamer {
 namespace {
@@ -112,6 +115,64 @@ TEST(Relight, ASpectrumSumsToItsColour) {
     const float* bands = spectral.at(x, 0);
     const Xyz sum = to_xyz(weights, {bands, bands + all.size()});
     for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(sum[axis], xyz.at(x, 0)[axis], 2e-6);
+  }
+}
+
+/// By what a factor of the scene multiplies light, the same at every wavelength.
+double value_of(const FactorNode& factor) {
+  switch (factor.kind) {
+    case FactorKind::white:
+    case FactorKind::specular:
+      return 1;
+    case FactorKind::diffuse:
+      return factor.index == 0 ? 0.5 : 0.2;
+    case FactorKind::fresnel:
+      return models::dielectric_fresnel(fresnel_node(factor.node), 1.5);
+  }
+  return 0;
+}
+
+TEST(Relight, IsTheSumOverTheWaysOfAnyTables) {
+  std::mt19937 random(1);
+  const auto any = [&]() -> FactorNode {
+    const FactorKind kind = factor_entries[random() % factor_kind_count].kind;
+    if (kind == FactorKind::white) return {kind, 0, 0};
+    if (kind == FactorKind::fresnel)
+      return {kind, 1, static_cast<std::uint32_t>(random() % fresnel_nodes)};
+    return {kind, static_cast<std::uint32_t>(random() % 2), 0};
+  };
+  for (int round = 0; round < 20; ++round) {
+    // Two pixels share the signatures of products of 0 to 8 factors.
+    MessageTables tables;
+    std::vector<double> products{1}, signatures;
+    std::vector<std::size_t> lengths{0};
+    for (int i = 0; i < 40; ++i) {
+      const auto parent = static_cast<std::uint32_t>(random() % products.size());
+      const FactorNode factor = any();
+      if (lengths[parent] < 8 && tables.product(parent, factor) == products.size()) {
+        products.push_back(products[parent] * value_of(factor));
+        lengths.push_back(lengths[parent] + 1);
+      }
+      const auto product = static_cast<std::uint32_t>(random() % products.size());
+      const FactorNode last = any();
+      if (tables.signature(product, 0, last) == signatures.size())
+        signatures.push_back(products[product] * value_of(last));
+    }
+    double expected[2] = {0, 0};
+    v1::TileFactors factors = tables.message();
+    for (double& sum : expected) {
+      factors.add_count(static_cast<std::uint32_t>(signatures.size()));
+      for (std::uint32_t i = 0; i < signatures.size(); ++i) {
+        const float weight = static_cast<float>(random() % 1000) / 1000;
+        factors.add_signature(i);
+        factors.add_weight(weight);
+        sum += double{weight} * signatures[i];
+      }
+    }
+    auto builder = FactorsBuilder::make(plan(), scene());
+    ASSERT_TRUE(builder->add(tile(factors)));
+    const Image image = relight(builder->finish(), scene(), cie::Observer::cie_1931_2deg);
+    for (int x = 0; x < 2; ++x) EXPECT_NEAR(image.at(x, 0)[1] / expected[x], 1, 2e-6) << round;
   }
 }
 

@@ -14,11 +14,23 @@ if(with_line STREQUAL text)
 endif()
 file(WRITE ${def} "${with_line}")
 
+# A kind of factor: a file, a line in the table, a number in the message.
+file(COPY_FILE ${SOURCE}/tests/toy/toy_factor.h ${SCRATCH}/source/common/transport/factors/toy.h)
+set(def ${SCRATCH}/source/common/transport/factors.def)
+file(READ ${def} text)
+string(REPLACE "// clang-format on" "METAMER_FACTOR(99, toy, Toy, \"toy\")\n// clang-format on" with_line "${text}")
+file(WRITE ${def} "${with_line}")
+set(message ${SCRATCH}/source/proto/metamer/v1/factors.proto)
+file(READ ${message} text)
+string(REPLACE "  FACTOR_FRESNEL" "  FACTOR_TOY = 99;\n  FACTOR_FRESNEL" with_line "${text}")
+file(WRITE ${message} "${with_line}")
+
 foreach(command
     "${CMAKE_COMMAND};-P;${SCRATCH}/source/proto/write_tables.cmake"
     "${CMAKE_COMMAND};-S;${SCRATCH}/source;-B;${SCRATCH}/build;-G;Ninja;-DCMAKE_BUILD_TYPE=Debug;-DCMAKE_CXX_FLAGS_DEBUG=-O0"
-    "${CMAKE_COMMAND};--build;${SCRATCH}/build;--target;toy_model"
-    "${SCRATCH}/build/bin/toy_model")
+    "${CMAKE_COMMAND};--build;${SCRATCH}/build;--target;toy_model;toy_factor"
+    "${SCRATCH}/build/bin/toy_model"
+    "${SCRATCH}/build/bin/toy_factor")
   execute_process(COMMAND ${command} RESULT_VARIABLE result)
   if(NOT result EQUAL 0)
     message(FATAL_ERROR "failed: ${command}")

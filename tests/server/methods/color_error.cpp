@@ -88,7 +88,8 @@ MethodErrors errors_of(const std::string& illuminant, const v1::Method& choice) 
     direct.push_back(reference.error(resolve(*method, gather), {i}));
     for (std::uint32_t mirror = i; mirror < colors; ++mirror) {
       gather.clear();
-      gather.weights(gather.surface(gather.path(0, mirror, 0), i), 0) = {1, 0, 0};
+      const auto mirrored = gather.chain(0, {FactorKind::specular, mirror, 1});
+      gather.weights(gather.surface(mirrored, i), 0) = {1, 0, 0};
       bounce.push_back(reference.error(resolve(*method, gather), {i, mirror}));
     }
   }

@@ -55,20 +55,20 @@ TEST(DirectTables, GiveWhatEveryMethodResolves) {
 
     // A pixel that sees both lights on the paint, and one in the gold.
     Gather gather(2);
-    const auto paint = gather.surface(0, 0), gold = gather.surface(0, 1);
+    const auto paint = gather.surface(0, 0);
     gather.weights(paint, 0) = {0.5f, 0.25f, 0.125f};
     gather.weights(paint, 1) = {0.25f, 0, 0};
-    gather.add_fresnel(gold, 1, 200, 0.75f);
+    gather.add(0, 1, {FactorKind::fresnel, 1, 200}, 0.75f);
     std::array<float, 3> expected{};
     const auto add = [&](float weight, std::uint32_t light, std::uint32_t row) {
       const std::array<float, 3> one = color(tables, light, row);
       for (std::size_t axis = 0; axis < 3; ++axis) expected[axis] += weight * one[axis];
     };
-    add(0.5f, 0, rows.surface(0).diffuse);
-    add(0.25f, 0, rows.surface(0).specular);
+    add(0.5f, 0, rows.diffuse(0));
+    add(0.25f, 0, rows.specular(0));
     add(0.125f, 0, FactorRows::white);
-    add(0.25f, 1, rows.surface(0).diffuse);
-    add(0.75f, 1, rows.surface(1).first_node + 200);
+    add(0.25f, 1, rows.diffuse(0));
+    add(0.75f, 1, rows.row({FactorKind::fresnel, 1, 200}));
 
     const std::array<float, 3> resolved = test::resolve(*made, gather);
     EXPECT_GT(resolved[1], 0);

@@ -6,6 +6,7 @@
 #include "common/models/reference.h"
 #include "common/spectral/optical_constants.h"
 #include "server/methods/method.h"
+#include "server/transport/mirror.h"
 #include "tests/server/test_scene.h"
 
 namespace metamer {
@@ -124,8 +125,9 @@ TEST(FresnelTable, AMirrorHasTheColourOfItsTermAtNV) {
   std::vector<double> expected(wavelengths.size());
   const ConstantsAt gold = resample(scene.constants[0], wavelengths.nm());
   for (const auto& [u, v, weight] : {std::tuple{0.9f, 0.3f, 0.25f}, {0.2f, 0.05f, 0.5f}}) {
-    const auto path = gather.path(gather.path(0, 1, u), 2, v);
-    gather.weights(gather.surface(path, 0), 0) = {weight, 0, 0};
+    const auto once = gather.chain(0, mirror_factor(scene.materials[1], 1, u));
+    const auto chain = gather.chain(once, mirror_factor(scene.materials[2], 2, v));
+    gather.weights(gather.surface(chain, 0), 0) = {weight, 0, 0};
     const auto first = fresnel_at(gold, u);
     for (std::size_t i = 0; i < expected.size(); ++i)
       expected[i] += weight * first[i] * models::schlick_fresnel(v, 0.04);

@@ -93,8 +93,9 @@ Gather example() {
   Gather gather(2);
   const auto seen = gather.surface(0, 0);
   gather.weights(seen, 0) = {0.5f, 0, 0.125f};
-  gather.add_fresnel(seen, 1, 200, 0.5f);
-  gather.weights(gather.surface(gather.path(0, 1, 0), 0), 1) = {0.25f, 0, 0};
+  gather.add(0, 1, {FactorKind::fresnel, 0, 200}, 0.5f);
+  const auto mirrored = gather.chain(0, {FactorKind::specular, 1, 1});
+  gather.weights(gather.surface(mirrored, 0), 1) = {0.25f, 0, 0};
   return gather;
 }
 

@@ -48,7 +48,8 @@ Seen see(const v1::Method& choice, const RenderScene& scene) {
   gather.weights(gather.surface(0, 0), 0) = {1, 0, 0};
   const Colour direct = resolve(*method, gather);
   gather.clear();
-  gather.weights(gather.surface(gather.path(0, 1, 0), 0), 0) = {0.5f, 0.25f, 0.125f};
+  const auto mirrored = gather.chain(0, {FactorKind::specular, 1, 1});
+  gather.weights(gather.surface(mirrored, 0), 0) = {0.5f, 0.25f, 0.125f};
   return {direct, resolve(*method, gather)};
 }
 

@@ -1,0 +1,21 @@
+#include "client/relight/scene_sources.h"
+
+namespace metamer {
+
+Spectrum to_spectrum(const v1::SampledSpectrum& from) {
+  return {{from.nm().begin(), from.nm().end()}, {from.values().begin(), from.values().end()}};
+}
+
+SceneSources::SceneSources(const v1::SceneFactors& scene) {
+  for (const v1::SceneFactors::Material& from : scene.material()) {
+    FactorSources::Material& material = factors_.materials.emplace_back();
+    material.diffuse = &spectra_.emplace_back(to_spectrum(from.diffuse()));
+    material.specular = &spectra_.emplace_back(to_spectrum(from.specular()));
+    material.constants = nullptr;
+    if (from.has_constants())
+      material.constants = &constants_.emplace_back(to_spectrum(from.constants().n()),
+                                                    to_spectrum(from.constants().k()));
+  }
+}
+
+}  // namespace metamer

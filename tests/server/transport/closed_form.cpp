@@ -1,0 +1,159 @@
+#include "tests/server/transport/closed_form.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/models/reference.h"
+#include "common/scene/fresnel_table.h"
+#include "common/transport/factor_kinds.h"
+#include "server/transport/factor_rows.h"
+#include "tests/server/test_scene.h"
+
+namespace metamer::test {
+namespace {
+
+template <class Kind>
+std::uint32_t any_index(const FactorSources& sources, std::mt19937& random) {
+  for (;;) {
+    const auto index = static_cast<std::uint32_t>(random() % Kind::count(sources));
+    if (Kind::source(sources, index) != nullptr) return index;
+  }
+}
+
+float unit(std::mt19937& random) { return std::uniform_real_distribution<float>(0, 1)(random); }
+
+Factor any_factor(const FactorSources& sources, std::mt19937& random) {
+  const FactorKind kind = factor_entries[random() % factor_kind_count].kind;
+  return with_kind(kind, [&]<class Kind>(Kind) -> Factor {
+    // The ends of the range, too.
+    const float at = random() % 8 == 0 ? static_cast<float>(random() % 2) : unit(random);
+    return {kind, any_index<Kind>(sources, random), at};
+  });
+}
+
+/// A chain of 0 to 8 factors, as a rule one that branches off another.
+std::uint32_t any_chain(Gather& gather, const FactorSources& sources, std::mt19937& random) {
+  auto chain = static_cast<std::uint32_t>(random() % gather.chains().size());
+  std::size_t length = 0, wanted = random() % 9;
+  for (std::uint32_t at = chain; at != 0; at = gather.chains()[at].parent) ++length;
+  for (; length > wanted; --length) chain = gather.chains()[chain].parent;
+  for (; length < wanted; ++length) chain = gather.chain(chain, any_factor(sources, random));
+  return chain;
+}
+
+}  // namespace
+
+RenderScene transport_scene() {
+  return compile_text(R"(
+    camera { eye { z: 3 } target {} }
+    light { name: "a" position { y: 2 } spectrum { standard: "F11" } luminance: 0.8 }
+    light { name: "b" position { y: 1 } spectrum { standard: "A" } luminance: 0.3 }
+    light { name: "c" position { y: 1 } spectrum { standard: "D65" } luminance: 0.1 }
+    material {
+      name: "paint" diffuseness: 0.6 specularness: 0.4 blinn_phong {}
+      diffuse { samples { wavelength: [400, 500, 600, 700] value: [0.1, 0.7, 0.2, 0.5] } }
+      specular { samples { wavelength: [400, 700] value: [0.9, 0.3] } }
+    }
+    material { name: "gold" mirror: 1 fresnel { conductor { metal: "Au" } } }
+    material { name: "copper" mirror: 1 fresnel { conductor { metal: "Cu" } } }
+    material {
+      name: "lacquer" mirror: 1 fresnel { schlick {} }
+      specular { samples { wavelength: [400, 550, 700] value: [0.2, 0.9, 0.4] } }
+    }
+    object { name: "o" material: "paint" sphere { radius: 1 } })");
+}
+
+Gather random_gather(const RenderScene& scene, std::mt19937& random) {
+  const FactorSources sources = factor_sources(scene);
+  const auto lights = static_cast<std::uint32_t>(scene.lights.size());
+  Gather gather(scene.lights.size());
+  for (std::size_t i = random() % 7; i > 0; --i) {
+    const std::uint32_t chain = any_chain(gather, sources, random);
+    const auto surface =
+        gather.surface(chain, static_cast<std::uint32_t>(random() % scene.materials.size()));
+    for (std::uint32_t light = 0; light < lights; ++light)
+      gather.weights(surface, light) = {unit(random), random() % 2 ? 0 : unit(random),
+                                        random() % 2 ? 0 : unit(random)};
+  }
+  for (const FactorEntry& entry : factor_entries)
+    for (std::size_t i = random() % 7; i > 0; --i)
+      with_kind(entry.kind, [&]<class Kind>(Kind) {
+        const std::uint32_t chain = any_chain(gather, sources, random);
+        gather.add(chain, static_cast<std::uint32_t>(random() % lights),
+                   {entry.kind, any_index<Kind>(sources, random),
+                    static_cast<std::uint32_t>(random() % Kind::Table::nodes)},
+                   unit(random));
+      });
+  return gather;
+}
+
+Spectra values_of(const RenderScene& scene, const FactorNode& factor, const Spectra& nm) {
+  const auto property = [&](std::uint32_t index) {
+    return resample(scene.properties[index], nm, Outside::hold).values;
+  };
+  switch (factor.kind) {
+    case FactorKind::white:
+      return Spectra(nm.size(), 1.0);
+    case FactorKind::diffuse:
+      return property(scene.materials[factor.index].diffuse);
+    case FactorKind::specular:
+      return property(scene.materials[factor.index].specular);
+    case FactorKind::fresnel: {
+      const double cosine = std::pow(double(factor.node) / 511, 2);
+      const OpticalConstants& own = scene.constants[scene.materials[factor.index].constants];
+      Spectra values;
+      const Spectra n = resample(own.n, nm, Outside::hold).values;
+      const Spectra k = resample(own.k, nm, Outside::hold).values;
+      for (std::size_t i = 0; i < nm.size(); ++i)
+        values.push_back(models::conductor_fresnel(cosine, n[i], k[i]));
+      return values;
+    }
+  }
+  return {};
+}
+
+std::vector<std::pair<FactorNode, double>> nodes_of(const Factor& factor) {
+  const auto node = [&](std::uint32_t which) {
+    return FactorNode{factor.kind, factor.index, which};
+  };
+  const double u = factor.at;
+  switch (factor.kind) {
+    case FactorKind::white:
+    case FactorKind::diffuse:
+      return {{node(0), 1}};
+    case FactorKind::specular:
+      return {{node(0), 1 - std::pow(1 - u, 5)}, {{FactorKind::white, 0, 0}, std::pow(1 - u, 5)}};
+    case FactorKind::fresnel: {
+      const auto below =
+          static_cast<std::uint32_t>(std::min(std::floor(std::sqrt(u) * 511), 510.0));
+      const double low = std::pow(below / 511.0, 2), high = std::pow((below + 1) / 511.0, 2);
+      const double share = (u - low) / (high - low);
+      return {{node(below), 1 - share}, {node(below + 1), share}};
+    }
+  }
+  return {};
+}
+
+std::vector<Way> ways(const Gather& gather) {
+  std::vector<Way> all;
+  const auto add = [&](double weight, std::uint32_t chain, std::uint32_t light,
+                       const FactorNode& last) {
+    Way way{weight, light, last, {}};
+    for (; chain != 0; chain = gather.chains()[chain].parent)
+      way.chain.insert(way.chain.begin(), gather.chains()[chain].factor);
+    all.push_back(std::move(way));
+  };
+  for (std::size_t s = 0; s < gather.surfaces().size(); ++s) {
+    const auto [chain, material] = gather.surfaces()[s];
+    for (std::uint32_t light = 0; light < gather.weights(s).size(); ++light) {
+      const LobeWeights& w = gather.weights(s)[light];
+      add(w.diffuse, chain, light, {FactorKind::diffuse, material, 0});
+      add(w.specular, chain, light, {FactorKind::specular, material, 0});
+      add(w.white, chain, light, {FactorKind::white, 0, 0});
+    }
+  }
+  for (const Gather::Term& one : gather.terms()) add(one.weight, one.chain, one.light, one.factor);
+  return all;
+}
+
+}  // namespace metamer::test
