@@ -1,48 +1,11 @@
 #include "common/scene/text_positions.h"
 
-#include <google/protobuf/io/tokenizer.h>
-#include <google/protobuf/io/zero_copy_stream_impl_lite.h>
-
 #include <algorithm>
 #include <cassert>
 
+#include "common/scene/text_tokens.h"
+
 namespace metamer {
-
-namespace {
-
-using google::protobuf::io::Tokenizer;
-
-/// The parser that reads the same text reports the errors.
-class IgnoreErrors : public google::protobuf::io::ErrorCollector {
- public:
-  void AddError(int, int, const std::string&) override {}
-};
-
-/// The tokens of a text, as the text format's parser sees them.
-class Tokens {
- public:
-  explicit Tokens(std::string_view text)
-      : stream_(text.data(), static_cast<int>(text.size())), tokenizer_(&stream_, &errors_) {
-    tokenizer_.set_allow_f_after_float(true);
-    tokenizer_.set_comment_style(Tokenizer::SH_COMMENT_STYLE);
-  }
-  bool next() { return tokenizer_.Next(); }
-  bool is_identifier() { return current().type == Tokenizer::TYPE_IDENTIFIER; }
-  bool is(std::string_view symbol) {
-    return current().type == Tokenizer::TYPE_SYMBOL && current().text == symbol;
-  }
-  const std::string& text() { return current().text; }
-  TextPosition position() { return {current().line, current().column}; }
-
- private:
-  const Tokenizer::Token& current() { return tokenizer_.current(); }
-
-  google::protobuf::io::ArrayInputStream stream_;
-  IgnoreErrors errors_;
-  Tokenizer tokenizer_;
-};
-
-}  // namespace
 
 TextLines::TextLines(std::string_view text) : begins_{0} {
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -63,9 +26,9 @@ int TextLines::column(std::string_view text, TextPosition position) const {
 }
 
 std::optional<TextPosition> last_identifier(std::string_view text, std::string_view name,
-                                            TextPosition end) {
+                                         TextPosition end) {
   std::optional<TextPosition> found;
-  Tokens tokens(text);
+  TextTokens tokens(text);
   while (tokens.next() && tokens.position() < end) {
     if (tokens.is_identifier() && tokens.text() == name) found = tokens.position();
   }
@@ -83,7 +46,7 @@ TextLists find_lists(std::string_view text) {
   TextPosition name_position;
   bool element_starts = false;
 
-  Tokens tokens(text);
+  TextTokens tokens(text);
   while (tokens.next()) {
     // A token after "[" or "," of a list is where an element begins.
     if (element_starts && !tokens.is("]")) {
