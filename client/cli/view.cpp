@@ -1,6 +1,5 @@
 #include "client/session/view.h"
 
-#include <Eigen/Geometry>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/this_coro.hpp>
 #include <boost/asio/use_awaitable.hpp>
@@ -15,6 +14,7 @@
 #include "client/cli/method_text.h"
 #include "client/cli/output.h"
 #include "client/cli/scene_input.h"
+#include "client/tools/camera_motion.h"
 #include "common/color/error_statistics.h"
 
 namespace metamer::cli {
@@ -29,21 +29,6 @@ struct Recorded {
   std::uint32_t width = 0, height = 0;
   double after = 0;  ///< Seconds since the one before.
 };
-
-Eigen::Vector3d to_eigen(const v1::Vec3& v) { return {v.x(), v.y(), v.z()}; }
-
-/// The camera turned around its target, about its own up.
-v1::Camera turned(const v1::Camera& camera, double degrees) {
-  const Eigen::Vector3d up = camera.has_up() ? to_eigen(camera.up()) : Eigen::Vector3d::UnitY();
-  const Eigen::AngleAxisd turn(degrees * std::numbers::pi / 180, up.normalized());
-  const Eigen::Vector3d target = to_eigen(camera.target());
-  const Eigen::Vector3d eye = target + turn * (to_eigen(camera.eye()) - target);
-  v1::Camera result = camera;
-  result.mutable_eye()->set_x(eye.x());
-  result.mutable_eye()->set_y(eye.y());
-  result.mutable_eye()->set_z(eye.z());
-  return result;
-}
 
 std::string milliseconds(double seconds) {
   char text[32];
@@ -131,7 +116,7 @@ asio::awaitable<Answer<std::vector<Recorded>>> record(View& view, const v1::Came
     v1::UpdateView change;
     change.set_revision(i);
     *change.mutable_camera() =
-        i == options.frames ? camera : turned(camera, options.degrees * swing);
+        i == options.frames ? camera : client::orbit(camera, options.degrees * swing);
     Answer<void> sent = co_await view.update(std::move(change));
     if (!sent) co_return tl::unexpected<SessionError>(std::move(sent.error()));
     co_await view.ask();
