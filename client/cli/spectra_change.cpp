@@ -4,12 +4,12 @@
 
 #include "client/cli/commands.h"
 #include "client/cli/spectra_input.h"
+#include "client/tools/spectra_change.h"
 
 namespace metamer::cli {
 namespace {
 
-/// What a sampling may change of an integral without a word.
-constexpr double tolerated = 0.01;
+using client::LoadedSpectrum;
 
 std::string percent(double share) {
   char text[32];
@@ -21,19 +21,27 @@ void note(const LoadedSpectrum& one, const std::string& message, Report& report)
   report.note({.field = {}, .file = one.label, .message = message});
 }
 
-/// Says what fell between the new samples, was widened by them, or lies outside.
-void report_energy(const LoadedSpectrum& one, const EnergyCheck& energy, Report& report) {
+/// Says what lies outside the new samples, fell between them, or was widened by them.
+void report_change(const LoadedSpectrum& one, const client::ResampledSpectrum& made,
+                   const Wavelengths& wavelengths, Report& report) {
+  if (made.without_data > 0)
+    note(one,
+         std::to_string(made.without_data) + " of " + std::to_string(wavelengths.size()) +
+             " wavelengths lie outside its data: " + (one.emission ? "0" : "its end value") +
+             " there",
+         report);
+  const EnergyCheck& energy = made.energy;
   report.document()["spectra"].push_back({{"name", one.label},
                                           {"integral_before", energy.before},
                                           {"integral_after", energy.after},
                                           {"integral_outside", energy.outside}});
-  const double whole = energy.before + energy.outside;
-  if (!(whole > 0)) return;
   const std::string what = one.emission ? "energy" : "area";
-  if (energy.outside > tolerated * whole)
-    note(one, percent(energy.outside / whole) + " of its " + what + " lies outside the new range",
+  if (made.leaves_out)
+    note(one,
+         percent(energy.outside / (energy.before + energy.outside)) + " of its " + what +
+             " lies outside the new range",
          report);
-  if (!(energy.before > 0) || std::abs(energy.worst) <= tolerated * energy.before) return;
+  if (!made.changes) return;
   const auto changed = [&](double by) {
     return percent(by / energy.before) + (by < 0 ? " of it is missed" : " of it is added");
   };
@@ -63,15 +71,9 @@ ExitCode resample_spectra(const ResampleOptions& options) {
 
   std::vector<NamedSpectrum> made;
   for (const LoadedSpectrum& one : *spectra) {
-    const Resampled values = resample(one.spectrum, wavelengths->nm(), one.outside());
-    if (values.below + values.above > 0)
-      note(one,
-           std::to_string(values.below + values.above) + " of " +
-               std::to_string(wavelengths->size()) + " wavelengths lie outside its data: " +
-               (one.emission ? "0" : "its end value") + " there",
-           report);
-    made.push_back({.name = one.name, .spectrum = {wavelengths->nm(), values.values}});
-    report_energy(one, check_energy(one.spectrum, made.back().spectrum, one.outside()), report);
+    client::ResampledSpectrum changed = client::resampled(one, *wavelengths);
+    report_change(one, changed, *wavelengths, report);
+    made.push_back(std::move(changed.spectrum));
   }
   return report.finish(write_spectra(options.output, made, report));
 }
@@ -88,21 +90,12 @@ ExitCode normalize_spectra(const NormalizeOptions& options) {
 
   std::vector<NamedSpectrum> made;
   for (const LoadedSpectrum& one : *spectra) {
-    if (!one.emission)
-      return refuse(quoted(one.label) +
-                        " is taken for a reflectance, which has no luminance of its own; "
-                        "--as emission says otherwise",
-                    report);
-    const Wavelengths wavelengths = own_wavelengths(one.spectrum);
-    const double factor = luminance_scale(
-        observer_weights(*observer, wavelengths),
-        resample(one.spectrum, wavelengths.nm(), Outside::zero).values, options.luminance);
-    if (!(factor > 0)) return refuse(quoted(one.label) + " is dark to this observer", report);
-    made.push_back({.name = one.name, .spectrum = one.spectrum});
-    for (double& value : made.back().spectrum.values) value *= factor;
-    if (!make_spectrum(made.back().spectrum.nm, made.back().spectrum.values))
-      return refuse(quoted(one.label) + " overflows at that luminance", report);
-    report.document()["spectra"].push_back({{"name", one.label}, {"factor", factor}});
+    auto changed = client::normalized(one, *observer, options.luminance);
+    if (!changed)
+      return refuse(
+          changed.error().message + (one.emission ? "" : "; --as emission says otherwise"), report);
+    made.push_back(std::move(changed->spectrum));
+    report.document()["spectra"].push_back({{"name", one.label}, {"factor", changed->factor}});
   }
   return report.finish(write_spectra(options.output, made, report));
 }

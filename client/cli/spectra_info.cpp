@@ -1,15 +1,17 @@
 // What a spectrum is: its range, and how it looks.
-#include <algorithm>
 #include <cstdio>
 
 #include "client/cli/commands.h"
 #include "client/cli/spectra_input.h"
-#include "common/color/chromaticity.h"
-#include "common/color/lab.h"
-#include "common/color/rendering_index.h"
+#include "client/tools/spectrum_facts.h"
 
 namespace metamer::cli {
 namespace {
+
+using client::EmissionFacts;
+using client::LoadedSpectrum;
+using client::ReflectanceFacts;
+using client::SpectrumFacts;
 
 std::string digits(double value, const char* format = "%.6g") {
   char text[64];
@@ -17,88 +19,104 @@ std::string digits(double value, const char* format = "%.6g") {
   return text;
 }
 
-void add_range(const LoadedSpectrum& one, Json& json, std::string& text) {
-  const Spectrum& spectrum = one.spectrum;
-  const auto [least, most] = std::minmax_element(spectrum.values.begin(), spectrum.values.end());
-  json["name"] = one.label;
-  json["kind"] = one.emission ? "emission" : "reflectance";
-  json["from"] = spectrum.nm.front();
-  json["to"] = spectrum.nm.back();
-  json["samples"] = spectrum.nm.size();
-  json["min"] = *least;
-  json["max"] = *most;
-  text += one.label + (one.emission ? ": emission" : ": reflectance") + "\n  range        " +
-          number_text(spectrum.nm.front()) + " to " + number_text(spectrum.nm.back()) + " nm, " +
-          std::to_string(spectrum.nm.size()) + (spectrum.nm.size() == 1 ? " sample" : " samples") +
-          "\n  values       " + digits(*least) + " to " + digits(*most);
+const char* word_of(cie::Observer observer) {
+  return observer == cie::Observer::cie_1931_2deg ? "cie-1931-2deg" : "cie-1964-10deg";
 }
 
-void add_chromaticity(const Xyz& xyz, Json& json, std::string& text) {
-  const auto c = chromaticity(xyz);
+// What programs read.
+
+void add_chromaticity(const std::optional<Chromaticity>& c, Json& json) {
   if (!c) return;
   const Uv uv = uv_1976(*c);
   json["x"] = c->x;
   json["y"] = c->y;
   json["u_prime"] = uv.u;
   json["v_prime"] = uv.v;
-  text += "\n  chromaticity x " + digits(c->x, "%.5f") + ", y " + digits(c->y, "%.5f") + "; u' " +
-          digits(uv.u, "%.5f") + ", v' " + digits(uv.v, "%.5f");
 }
 
-/// Temperature and rendering, which are defined for the 1931 observer.
-void add_whiteness(const Spectrum& light, const Wavelengths& wavelengths,
-                   const std::vector<double>& power, Json& json, std::string& text) {
-  const Xyz xyz = to_xyz(observer_weights(cie::Observer::cie_1931_2deg, wavelengths), power);
-  const auto own = chromaticity(xyz);
-  const auto temperature = own ? color_temperature(*own) : std::nullopt;
-  if (temperature) {
-    json["color_temperature"] = temperature->kelvin;
-    json["duv"] = temperature->duv;
-    text += "\n  temperature  " + digits(temperature->kelvin, "%.0f") + " K, Duv " +
-            digits(temperature->duv, "%.4f");
-  } else {
-    text += "\n  temperature  none: no black body is like it";
+void add(const EmissionFacts& facts, Json& json) {
+  for (const client::ObservedLight& one : facts.observed) {
+    Json& of_observer = json[word_of(one.observer)];
+    of_observer["luminance"] = one.luminance;
+    add_chromaticity(one.chromaticity, of_observer);
   }
-  const auto index = rendering_index(light);
-  if (!index) return;
-  json["rendering"] = {{"ra", index->ra}, {"each", index->each}, {"distance", index->distance}};
+  if (facts.temperature) {
+    json["color_temperature"] = facts.temperature->kelvin;
+    json["duv"] = facts.temperature->duv;
+  }
+  if (const auto& index = facts.rendering)
+    json["rendering"] = {{"ra", index->ra}, {"each", index->each}, {"distance", index->distance}};
+}
+
+void add(const ReflectanceFacts& facts, const std::string& under, Json& json) {
+  json["under"] = under;
+  json["luminance"] = facts.luminance;
+  add_chromaticity(facts.chromaticity, json);
+  if (facts.lab) json["lab"] = {facts.lab->l, facts.lab->a, facts.lab->b};
+}
+
+Json json_of(const LoadedSpectrum& one, const SpectrumFacts& facts, const std::string& under) {
+  Json json;
+  json["name"] = one.label;
+  json["kind"] = one.emission ? "emission" : "reflectance";
+  json["from"] = facts.from;
+  json["to"] = facts.to;
+  json["samples"] = facts.samples;
+  json["min"] = facts.min;
+  json["max"] = facts.max;
+  if (const auto* emission = std::get_if<EmissionFacts>(&facts.look)) add(*emission, json);
+  if (const auto* paint = std::get_if<ReflectanceFacts>(&facts.look)) add(*paint, under, json);
+  return json;
+}
+
+// What people read.
+
+std::string text_of(const std::optional<Chromaticity>& c) {
+  if (!c) return {};
+  const Uv uv = uv_1976(*c);
+  return "\n  chromaticity x " + digits(c->x, "%.5f") + ", y " + digits(c->y, "%.5f") + "; u' " +
+         digits(uv.u, "%.5f") + ", v' " + digits(uv.v, "%.5f");
+}
+
+std::string text_of(const EmissionFacts& facts) {
+  std::string text;
+  for (const client::ObservedLight& one : facts.observed)
+    text += "\n  luminance    " + digits(one.luminance) + " (" + word_of(one.observer) + ")" +
+            text_of(one.chromaticity);
+  if (facts.temperature)
+    text += "\n  temperature  " + digits(facts.temperature->kelvin, "%.0f") + " K, Duv " +
+            digits(facts.temperature->duv, "%.4f");
+  else
+    text += "\n  temperature  none: no black body is like it";
+  const auto& index = facts.rendering;
+  if (!index) return text;
   text +=
       "\n  rendering    Ra " + digits(index->ra, "%.0f") + ", R9 " + digits(index->each[8], "%.0f");
   if (index->distance > RenderingIndex::tolerance)
     text += " (of little meaning: it is tinted by " + digits(index->distance, "%.4f") + " in u, v)";
+  return text;
 }
 
-void add_emission(const LoadedSpectrum& one, Json& json, std::string& text) {
-  const Wavelengths wavelengths = own_wavelengths(one.spectrum);
-  const std::vector<double> power = resample(one.spectrum, wavelengths.nm(), Outside::zero).values;
-  for (const auto& [word, observer] :
-       {std::pair{"cie-1931-2deg", cie::Observer::cie_1931_2deg},
-        std::pair{"cie-1964-10deg", cie::Observer::cie_1964_10deg}}) {
-    const Xyz xyz = to_xyz(observer_weights(observer, wavelengths), power);
-    Json& of_observer = json[word];
-    of_observer["luminance"] = xyz[1];
-    text += std::string("\n  luminance    ") + digits(xyz[1]) + " (" + word + ")";
-    add_chromaticity(xyz, of_observer, text);
-  }
-  add_whiteness(one.spectrum, wavelengths, power, json, text);
+std::string text_of(const ReflectanceFacts& facts, const std::string& under) {
+  std::string text = "\n  luminance    " + digits(facts.luminance) + " of white under " + under +
+                     text_of(facts.chromaticity);
+  if (facts.lab)
+    text += "\n  L*a*b*       " + digits(facts.lab->l, "%.2f") + " " +
+            digits(facts.lab->a, "%.2f") + " " + digits(facts.lab->b, "%.2f");
+  return text;
 }
 
-void add_reflectance(const LoadedSpectrum& one, const Spectrum& light, const std::string& under,
-                     cie::Observer observer, Json& json, std::string& text) {
-  const Wavelengths wavelengths = fine_wavelengths(light);
-  const ObserverWeights lit = under_light(observer_weights(observer, wavelengths),
-                                          resample(light, wavelengths.nm(), Outside::zero).values);
-  const Xyz white = to_xyz(lit, std::vector<double>(wavelengths.size(), 1.0));
-  const Xyz xyz = to_xyz(lit, resample(one.spectrum, wavelengths.nm(), Outside::hold).values);
-  json["under"] = under;
-  json["luminance"] = xyz[1];
-  text += "\n  luminance    " + digits(xyz[1]) + " of white under " + under;
-  add_chromaticity(xyz, json, text);
-  if (!(*std::min_element(white.begin(), white.end()) > 0)) return;
-  const Lab lab = to_lab(xyz, white);
-  json["lab"] = {lab.l, lab.a, lab.b};
-  text += "\n  L*a*b*       " + digits(lab.l, "%.2f") + " " + digits(lab.a, "%.2f") + " " +
-          digits(lab.b, "%.2f");
+std::string text_of(const LoadedSpectrum& one, const SpectrumFacts& facts,
+                    const std::string& under) {
+  std::string text = one.label + (one.emission ? ": emission" : ": reflectance") +
+                     "\n  range        " + number_text(facts.from) + " to " +
+                     number_text(facts.to) + " nm, " + std::to_string(facts.samples) +
+                     (facts.samples == 1 ? " sample" : " samples") + "\n  values       " +
+                     digits(facts.min) + " to " + digits(facts.max);
+  if (const auto* emission = std::get_if<EmissionFacts>(&facts.look)) text += text_of(*emission);
+  if (const auto* paint = std::get_if<ReflectanceFacts>(&facts.look))
+    text += text_of(*paint, under);
+  return text;
 }
 
 }  // namespace
@@ -114,15 +132,9 @@ ExitCode spectra_info(const SpectraOptions& options) {
   const auto light = load_light(options.under, "--under", report);
   if (!spectra || !light) return report.finish(ExitCode::bad_input);
   for (const LoadedSpectrum& one : *spectra) {
-    Json json;
-    std::string text;
-    add_range(one, json, text);
-    if (one.emission)
-      add_emission(one, json, text);
-    else
-      add_reflectance(one, *light, options.under, *observer, json, text);
-    report.document()["spectra"].push_back(json);
-    report.line(text);
+    const SpectrumFacts facts = client::spectrum_facts(one, *light, *observer);
+    report.document()["spectra"].push_back(json_of(one, facts, options.under));
+    report.line(text_of(one, facts, options.under));
   }
   return report.finish(ExitCode::done);
 }

@@ -1,93 +1,37 @@
 #include "client/cli/spectra_input.h"
 
-#include <algorithm>
-#include <filesystem>
-
 #include "client/cli/gnuplot.h"
 #include "client/cli/overrides.h"
-#include "common/scene/files.h"
 #include "common/scene/settings.h"
-#include "common/spectral/cie.h"
 
 namespace metamer::cli {
 namespace {
 
-namespace fs = std::filesystem;
+using client::LoadedSpectrum;
+using client::SpectrumKind;
 
-bool looks_like_reflectance(const Spectrum& spectrum) {
-  return std::all_of(spectrum.values.begin(), spectrum.values.end(),
-                     [](double value) { return value >= 0 && value <= 1; });
-}
-
-tl::unexpected<Problem> no_such(const std::string& word) {
-  std::vector<std::string> known = cie::illuminant_names();
-  known.insert(known.end(), cie::test_color_names().begin(), cie::test_color_names().end());
-  return problem("there is no file, CIE illuminant or test colour " + metamer::quoted(word) +
-                 did_you_mean(word, known));
-}
-
-/// A name from a file could command a terminal.
-std::string printable(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
-  return text;
-}
-
-/// The spectra of a file. `source` is its text, for the line of an error.
-Result<std::vector<LoadedSpectrum>> read(const std::string& file, std::string& source) {
-  Result<std::string> text = read_file(file, max_spectrum_file);
-  if (!text) return tl::unexpected(std::move(text.error()));
-  source = std::move(*text);
-  return parse_spectra(source, file).map([&](std::vector<NamedSpectrum>&& spectra) {
-    std::vector<LoadedSpectrum> loaded;
-    for (NamedSpectrum& one : spectra)
-      loaded.push_back(
-          {.label = printable(one.name.empty() ? file : file + ": " + one.name),
-           .name = printable(one.name.empty() ? fs::path(file).stem().string() : one.name),
-           .emission = !looks_like_reflectance(one.spectrum),
-           .spectrum = std::move(one.spectrum)});
-    return loaded;
-  });
-}
-
-Result<std::vector<LoadedSpectrum>> find(const std::string& word, std::string& source) {
-  std::error_code error;
-  if (fs::exists(word, error)) return read(word, source);
-  const Spectrum* light = cie::illuminant(word);
-  const Spectrum* paint = cie::test_color(word);
-  if (light == nullptr && paint == nullptr) return no_such(word);
-  return std::vector<LoadedSpectrum>{{.label = word,
-                                      .name = word,
-                                      .emission = light != nullptr,
-                                      .spectrum = light != nullptr ? *light : *paint}};
-}
-
-/// A word, and the entry that it asks for: FILE#ENTRY, where there is no file of the whole name.
-std::pair<std::string, std::optional<std::string>> split_entry(const std::string& word) {
-  std::error_code error;
-  const std::size_t hash = word.rfind('#');
-  if (hash == std::string::npos || hash == 0 || fs::exists(word, error)) return {word, {}};
-  return {word.substr(0, hash), word.substr(hash + 1)};
-}
-
-/// All spectra of a word, or the one of that name.
-std::optional<std::vector<LoadedSpectrum>> load(const std::string& word,
-                                                std::optional<std::string> entry, Report& report) {
-  const auto [file, own_entry] = split_entry(word);
-  if (own_entry) entry = own_entry;
-  std::string source;
-  Result<std::vector<LoadedSpectrum>> found = find(file, source);
-  if (!found) {
-    report.problem(found.error(), source);
+/// --entry and --as.
+std::optional<client::SpectrumChoice> choice_of(const SpectraOptions& options, Report& report) {
+  client::SpectrumChoice choice{.entry = options.entry};
+  if (!options.kind) return choice;
+  if (*options.kind != "emission" && *options.kind != "reflectance") {
+    report.error("--as: " + metamer::quoted(*options.kind) +
+                 " is neither emission nor reflectance");
     return std::nullopt;
   }
-  if (!entry) return std::move(*found);
-  std::vector<std::string> names;
-  for (const LoadedSpectrum& one : *found) names.push_back(one.name);
-  std::erase_if(*found, [&](const LoadedSpectrum& one) { return one.name != *entry; });
-  if (!found->empty()) return std::move(*found);
-  report.error(metamer::quoted(file) + " has no spectrum named " + metamer::quoted(*entry) +
-               did_you_mean(*entry, names));
+  choice.kind = *options.kind == "emission" ? SpectrumKind::emission : SpectrumKind::reflectance;
+  return choice;
+}
+
+/// What was loaded; else says why nothing was.
+template <class T>
+std::optional<T> loaded_or_told(client::SpectrumResult<T>&& loaded, Report& report) {
+  if (loaded) return std::move(*loaded);
+  const client::SpectrumFault& fault = loaded.error();
+  if (fault.choice)
+    report.error(fault.problem.message);
+  else
+    report.problem(fault.problem, fault.source);
   return std::nullopt;
 }
 
@@ -101,9 +45,7 @@ SpectrumFormat format_of(const SpectraOutputOptions& options) {
   if (options.format == "pairs") return SpectrumFormat::pairs;
   if (options.format == "uniform") return SpectrumFormat::uniform;
   if (options.format == "cgats") return SpectrumFormat::cgats;
-  const std::string extension = fs::path(options.file).extension().string();
-  const bool cgats = extension == ".sp" || extension == ".cmf" || extension == ".ti3";
-  return cgats ? SpectrumFormat::cgats : SpectrumFormat::pairs;
+  return client::format_for(options.file);
 }
 
 }  // namespace
@@ -111,43 +53,25 @@ SpectrumFormat format_of(const SpectraOutputOptions& options) {
 std::optional<std::vector<LoadedSpectrum>> load_spectra(const SpectraOptions& options,
                                                         const std::vector<std::string>& files,
                                                         Report& report) {
-  if (options.kind && *options.kind != "emission" && *options.kind != "reflectance") {
-    report.error("--as: " + metamer::quoted(*options.kind) +
-                 " is neither emission nor reflectance");
-    return std::nullopt;
-  }
-  std::vector<LoadedSpectrum> all;
-  for (const std::string& file : files) {
-    std::optional<std::vector<LoadedSpectrum>> loaded = load(file, options.entry, report);
-    if (!loaded) return std::nullopt;
-    for (LoadedSpectrum& one : *loaded) {
-      if (options.kind) one.emission = *options.kind == "emission";
-      all.push_back(std::move(one));
-    }
-  }
-  return all;
+  const auto choice = choice_of(options, report);
+  if (!choice) return std::nullopt;
+  return loaded_or_told(client::load_spectra(files, *choice), report);
 }
 
 std::optional<LoadedSpectrum> load_one(const SpectraOptions& options, const std::string& file,
                                        Report& report) {
-  auto loaded = load_spectra(options, {file}, report);
-  if (!loaded) return std::nullopt;
-  if (loaded->size() == 1) return std::move(loaded->front());
-  report.error(metamer::quoted(file) + " has " + std::to_string(loaded->size()) +
-               " spectra; choose one, such as " +
-               metamer::quoted(file + "#" + loaded->front().name));
-  return std::nullopt;
+  const auto choice = choice_of(options, report);
+  if (!choice) return std::nullopt;
+  return loaded_or_told(client::load_one(file, *choice), report);
 }
 
 std::optional<Spectrum> load_light(const std::string& word, const std::string& option,
                                    Report& report) {
-  SpectraOptions options;
-  options.kind = "emission";
-  auto light = load_one(options, word, report);
+  auto light = loaded_or_told(client::load_one(word, {.kind = SpectrumKind::emission}), report);
   if (!light) return std::nullopt;
-  const auto& values = light->spectrum.values;
-  if (*std::min_element(values.begin(), values.end()) >= 0) return std::move(light->spectrum);
-  report.error(option + ": a light has no power below 0");
+  const std::string fault = client::emission_fault(light->spectrum);
+  if (fault.empty()) return std::move(light->spectrum);
+  report.error(option + ": " + fault);
   return std::nullopt;
 }
 
@@ -165,25 +89,6 @@ Result<Wavelengths> wavelengths_of(const std::optional<std::string>& samples,
   words.wavelengths = wavelengths;
   return settings_of(words).and_then(
       [](const v1::Settings& settings) { return point_wavelengths(settings.method().point()); });
-}
-
-Wavelengths own_wavelengths(const Spectrum& spectrum) {
-  const auto& nm = spectrum.nm;
-  double widest = nm.size() > 1 ? 0 : 1000;
-  for (std::size_t i = 1; i < nm.size(); ++i) widest = std::max(widest, nm[i] - nm[i - 1]);
-  return widest <= 5 ? *Wavelengths::listed(nm) : fine_wavelengths(spectrum);
-}
-
-Wavelengths fine_wavelengths(const Spectrum& spectrum) {
-  const Wavelengths by_1_nm = observer_wavelengths();
-  std::vector<double> own, both = by_1_nm.nm();
-  for (const double nm : spectrum.nm)
-    if (nm > 360 && nm < 830) own.push_back(nm);
-  both.insert(both.end(), own.begin(), own.end());
-  std::sort(both.begin(), both.end());
-  both.erase(std::unique(both.begin(), both.end()), both.end());
-  if (both.size() <= Wavelengths::max_count) return *Wavelengths::listed(std::move(both));
-  return *Wavelengths::listed(std::move(own));
 }
 
 bool check_spectra_output(const SpectraOutputOptions& options, Report& report) {

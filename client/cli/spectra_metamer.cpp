@@ -3,7 +3,7 @@
 
 #include "client/cli/commands.h"
 #include "client/cli/spectra_input.h"
-#include "common/color/metamerism.h"
+#include "client/tools/metamer_table.h"
 
 namespace metamer::cli {
 namespace {
@@ -32,10 +32,8 @@ ExitCode find_metamer(const MetamerOptions& options) {
   }
   if (!check_spectra_output(options.output, report)) return report.finish(ExitCode::bad_input);
 
-  // CIE 15:2004, 9.2.2: metamers of daylight are to be tried under A.
-  const std::string other = !options.against.empty()     ? options.against
-                            : options.input.under == "A" ? "D65"
-                                                         : "A";
+  const std::string other =
+      !options.against.empty() ? options.against : client::usual_other_light(options.input.under);
   if (other == options.input.under) {
     report.error("--against: " + quoted(other) + " is the light that they match under");
     return report.finish(ExitCode::bad_input);
@@ -47,20 +45,17 @@ ExitCode find_metamer(const MetamerOptions& options) {
   const auto against = load_light(other, "--against", report);
   if (!original || !under || !against) return report.finish(ExitCode::bad_input);
 
-  const auto made = make_metamer(original->spectrum, *under, *against, *observer);
-  if (!made) {
-    report.error(quoted(original->label) + ": " + made.error().message);
+  const auto table = client::metamer_table(original->spectrum, {options.input.under, *under},
+                                           {other, *against}, *observer);
+  if (!table) {
+    report.error(quoted(original->label) + ": " + table.error().message);
     return report.finish(ExitCode::bad_input);
   }
-  const ExitCode written =
-      write_spectra(options.output,
-                    {{.name = original->name + "-metamer", .spectrum = made->reflectance}}, report);
+  const ExitCode written = write_spectra(
+      options.output, {{.name = original->name + "-metamer", .spectrum = table->reflectance}},
+      report);
   if (written != ExitCode::done) return report.finish(written);
-  std::vector<NamedSpectrum> lights = cie_lights();
-  for (const auto& [word, light] : {std::pair{input.under, *under}, std::pair{other, *against}})
-    if (cie::illuminant(word) == nullptr) lights.push_back({word, light});
-  const auto differences = metamerism(original->spectrum, made->reflectance, lights, *observer);
-  if (differences) add_differences(*differences, report);
+  if (!table->differences.empty()) add_differences(table->differences, report);
   return report.finish(ExitCode::done);
 }
 

@@ -11,6 +11,8 @@
 namespace metamer::cli {
 namespace {
 
+using client::LoadedSpectrum;
+
 /// More curves than this tell nothing, and gnuplot takes its time.
 constexpr std::size_t most_curves = 64;
 
