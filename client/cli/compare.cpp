@@ -1,8 +1,6 @@
 // Two pictures, colour by colour. No server is asked.
-#include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <tuple>
@@ -11,19 +9,14 @@
 #include "client/cli/compare_json.h"
 #include "client/cli/print.h"
 #include "client/cli/report.h"
-#include "common/color/srgb.h"
-#include "common/image/compare.h"
+#include "client/tools/comparison.h"
 #include "common/image/picture_file.h"
-#include "common/image/read_xyz.h"
 
 namespace metamer::cli {
 namespace {
 
-/// What looks white, and how it is called.
-struct White {
-  std::string name;
-  Xyz xyz;
-};
+using client::Pixel;
+using client::White;
 
 Metric metric_of(const std::string& word) {
   return word == "deuv" ? Metric::deuv : word == "deab" ? Metric::deab : Metric::de00;
@@ -37,15 +30,6 @@ Result<const Spectrum*> find_illuminant(const std::string& option, const std::st
   if (const Spectrum* found = cie::illuminant(name)) return found;
   return problem(option + ": no illuminant named " + quoted(name) +
                  did_you_mean(name, cie::illuminant_names()));
-}
-
-/// X Y Z of an illuminant at Y = 1, by 1 nm.
-Xyz white_of(const Spectrum& illuminant, cie::Observer observer) {
-  const Wavelengths wavelengths = observer_wavelengths();
-  const ObserverWeights weights = observer_weights(observer, wavelengths);
-  Xyz xyz = to_xyz(weights, resample(illuminant, wavelengths.nm(), Outside::zero).values);
-  for (const double y = xyz[1]; double& value : xyz) value /= y;
-  return xyz;
 }
 
 /// "0.95,1,1.09"; nothing when it is not three numbers.
@@ -74,40 +58,36 @@ Result<White> find_white(const CompareOptions& options) {
     return White{"X,Y,Z", *xyz};
   }
   const std::string& name = options.white.empty() ? options.under : options.white;
-  if (name.empty()) return White{"D65 (sRGB)", srgb::to_xyz({1, 1, 1})};
+  if (name.empty()) return client::srgb_white();
   return find_illuminant("--white", name).transform([&](const Spectrum* found) {
-    return White{name, white_of(*found, observer)};
+    return White{name, client::white_of(*found, observer)};
   });
 }
 
 void print_difference(const Difference& difference, Report& report) {
   const ErrorStatistics& all = difference.statistics;
-  const auto width = static_cast<std::size_t>(difference.width);
   if (all.count == 0) {
     report.line("no pixel to compare");
     return;
   }
   report.line(print("mean %.4g, median %.4g, 95th percentile %.4g, 99th percentile %.4g", all.mean,
                     all.median, all.percentile_95, all.percentile_99));
-  report.line(print("maximum %.4g at (%zu, %zu)", all.maximum, all.at % width, all.at / width));
+  const Pixel at = client::pixel_at(all.at, difference.width);
+  report.line(print("maximum %.4g at (%zu, %zu)", all.maximum, at.x, at.y));
 }
 
 /// Says where the first pixel that is not a number stands, and in which picture.
 void note_not_finite(const Difference& difference, const CompareOptions& options, const Image& a,
                      Report& report) {
-  const ErrorStatistics& all = difference.statistics;
-  if (all.not_finite == 0) return;
-  const auto width = static_cast<std::size_t>(difference.width);
-  const float* pixel = a.pixels.data() + 3 * all.first_not_finite;
-  bool in_a = false;
-  for (int c = 0; c < 3; ++c) in_a = in_a || !std::isfinite(pixel[c]);
+  const auto first = client::first_not_finite(difference, a);
+  if (!first) return;
+  const std::size_t count = difference.statistics.not_finite;
   Problem note;
-  note.file = in_a ? options.a : options.b;
-  note.message = std::to_string(all.not_finite) +
-                 (all.not_finite == 1 ? " pixel has no finite colour in one of the pictures"
-                                      : " pixels have no finite colour in one of the pictures") +
-                 print(", the first at (%zu, %zu) of this one", all.first_not_finite % width,
-                       all.first_not_finite / width);
+  note.file = first->picture == 0 ? options.a : options.b;
+  note.message = std::to_string(count) +
+                 (count == 1 ? " pixel has no finite colour in one of the pictures"
+                             : " pixels have no finite colour in one of the pictures") +
+                 print(", the first at (%zu, %zu) of this one", first->pixel.x, first->pixel.y);
   report.note(note);
 }
 
@@ -133,7 +113,7 @@ ExitCode write_difference(const Difference& difference, const CompareOptions& op
 ExitCode judge(const Difference& difference, const CompareOptions& options, Report& report) {
   if (!options.max) return ExitCode::done;
   const ErrorStatistics& all = difference.statistics;
-  const bool over = all.maximum > *options.max || all.not_finite > 0;
+  const bool over = client::is_over(all, *options.max);
   report.document()["limit"] = *options.max;
   report.document()["over"] = over;
   if (all.maximum > *options.max)
@@ -142,15 +122,8 @@ ExitCode judge(const Difference& difference, const CompareOptions& options, Repo
   return over ? ExitCode::other : ExitCode::done;
 }
 
-/// Emissions compare in one unit; a file that names none is taken at its word. Says why not.
-bool same_units(const XyzPicture& a, const XyzPicture& b, Report& report) {
-  if (a.units == b.units || a.units.empty() || b.units.empty()) return true;
-  report.error("the pictures have different units: " + quoted(a.units) + " and " + quoted(b.units));
-  return false;
-}
-
 /// Both pictures; nothing when one can't be read, which is said.
-std::optional<std::array<XyzPicture, 2>> read_both(const CompareOptions& options, Report& report) {
+std::optional<client::PicturePair> read_both(const CompareOptions& options, Report& report) {
   Viewing viewing{.observer = observer_of(options.observer), .under = nullptr};
   if (!options.under.empty()) {
     const auto under = find_illuminant("--under", options.under);
@@ -160,24 +133,20 @@ std::optional<std::array<XyzPicture, 2>> read_both(const CompareOptions& options
     }
     viewing.under = *under;
   }
-  std::array<XyzPicture, 2> pictures;
-  bool good = true;
-  for (std::size_t i = 0; i < 2; ++i) {
-    Result<XyzPicture> read = read_xyz(i == 0 ? options.a : options.b, viewing);
-    good = good && read;
-    if (read) {
-      pictures[i] = std::move(*read);
-    } else {
-      report.problem(read.error(), {});
-    }
+  auto pictures = client::read_pair({options.a, options.b}, viewing);
+  if (!pictures) {
+    for (const Problem& problem : pictures.error()) report.problem(problem, {});
+    return std::nullopt;
   }
-  if (!good) return std::nullopt;
-  if (viewing.under && !pictures[0].lit && !pictures[1].lit) {
+  if (viewing.under && !(*pictures)[0].lit && !(*pictures)[1].lit) {
     report.error("--under: neither picture is a reflectance");
     return std::nullopt;
   }
-  if (!same_units(pictures[0], pictures[1], report)) return std::nullopt;
-  return pictures;
+  if (const auto same = client::same_units(*pictures); !same) {
+    report.error(same.error().message);
+    return std::nullopt;
+  }
+  return std::move(*pictures);
 }
 
 ExitCode compare_with(const CompareOptions& options, Report& report) {
@@ -220,8 +189,10 @@ ExitCode compare_with(const CompareOptions& options, Report& report) {
 }  // namespace
 
 Json statistics_json(const ErrorStatistics& all, int width) {
-  const auto columns = static_cast<std::size_t>(width);
-  const auto place = [&](std::size_t at) { return Json{{"x", at % columns}, {"y", at / columns}}; };
+  const auto place = [&](std::size_t at) {
+    const Pixel pixel = client::pixel_at(at, width);
+    return Json{{"x", pixel.x}, {"y", pixel.y}};
+  };
   Json json = {{"pixels", all.count}, {"not_finite", all.not_finite}};
   if (all.not_finite > 0) json["first_not_finite"] = place(all.first_not_finite);
   if (all.count == 0) return json;
