@@ -1,8 +1,6 @@
 #include "client/relight/relight.h"
 
-#include <algorithm>
 #include <chrono>
-#include <map>
 #include <set>
 
 #include "client/cli/commands.h"
@@ -10,7 +8,7 @@
 #include "client/cli/output.h"
 #include "client/cli/pictures.h"
 #include "client/cli/spectra_input.h"
-#include "common/scene/names.h"
+#include "client/tools/relit.h"
 #include "common/scene/settings.h"
 
 namespace metamer::cli {
@@ -20,11 +18,6 @@ using Clock = std::chrono::steady_clock;
 
 double milliseconds(Clock::time_point from, Clock::time_point to) {
   return std::chrono::duration<double, std::milli>(to - from).count();
-}
-
-void set(const Spectrum& spectrum, v1::SampledSpectrum& to) {
-  to.mutable_nm()->Assign(spectrum.nm.begin(), spectrum.nm.end());
-  to.mutable_values()->Assign(spectrum.values.begin(), spectrum.values.end());
 }
 
 template <class List>
@@ -62,10 +55,12 @@ std::optional<Swap> parse_swap(const std::string& option, const std::string& wha
   return std::nullopt;
 }
 
-std::optional<LoadedSpectrum> load(const std::string& spectrum, const char* kind, Report& report) {
+std::optional<Spectrum> load(const std::string& spectrum, const char* kind, Report& report) {
   SpectraOptions options;
   options.kind = kind;
-  return load_one(options, spectrum, report);
+  auto loaded = load_one(options, spectrum, report);
+  if (!loaded) return std::nullopt;
+  return std::move(loaded->spectrum);
 }
 
 bool swap_light(const std::string& text, std::set<std::string>& named, v1::SceneFactors& scene,
@@ -74,79 +69,37 @@ bool swap_light(const std::string& text, std::set<std::string>& named, v1::Scene
   names.emplace_back("*");
   const auto swap = parse_swap("--light", "light", text, names, named, report);
   if (!swap) return false;
+  const std::string about = "--light: " + metamer::quoted(swap->spectrum);
   if (cie::test_color(swap->spectrum) != nullptr) {
-    report.error("--light: " + metamer::quoted(swap->spectrum) + " is a reflectance, no light");
+    report.error(about + " is a reflectance, no light");
     return false;
   }
   const auto power = load(swap->spectrum, "emission", report);
   if (!power) return false;
-  if (*std::min_element(power->spectrum.values.begin(), power->spectrum.values.end()) < 0) {
-    report.error("--light: " + metamer::quoted(swap->spectrum) + ": a light has no power below 0");
+  if (const std::string fault = client::emission_fault(*power); !fault.empty()) {
+    report.error(about + ": " + fault);
     return false;
   }
-  for (auto& light : *scene.mutable_light())
-    if (swap->name == "*" || swap->name == light.name())
-      set(power->spectrum, *light.mutable_power());
+  client::swap_light(swap->name, *power, scene);
   return true;
-}
-
-/// A material's property by NAME, NAME.diffuse or NAME.specular.
-struct Property {
-  int material;
-  v1::FactorTerm term;
-};
-
-std::map<std::string, Property> properties_of(const v1::SceneFactors& scene) {
-  std::map<std::string, Property> properties;
-  for (int i = 0; i < scene.material_size(); ++i) {
-    const std::string& name = scene.material(i).name();
-    properties[name + ".specular"] = {i, v1::FACTOR_SPECULAR};
-    properties[name + ".diffuse"] = {i, v1::FACTOR_DIFFUSE};
-  }
-  for (int i = 0; i < scene.material_size(); ++i)
-    properties[scene.material(i).name()] = {i, v1::FACTOR_DIFFUSE};
-  return properties;
-}
-
-/// Whether any pixel shows a property.
-bool is_shown(const Property& property, const v1::TileFactors& tables) {
-  const auto material = static_cast<std::uint32_t>(property.material);
-  for (int i = 0; i < tables.signature_term_size(); ++i)
-    if (tables.signature_material(i) == material && tables.signature_term(i) == property.term)
-      return true;
-  for (int i = 0; i < tables.product_term_size(); ++i)
-    if (tables.product_material(i) == material && tables.product_term(i) == property.term)
-      return true;
-  return false;
-}
-
-/// Where a reflectance leaves 0..1; empty: nowhere.
-std::string range_fault(const Spectrum& reflectance) {
-  for (std::size_t i = 0; i < reflectance.nm.size(); ++i)
-    if (!(reflectance.values[i] >= 0 && reflectance.values[i] <= 1))
-      return "a reflectance lies in 0..1 (it is " + number_text(reflectance.values[i]) + " at " +
-             number_text(reflectance.nm[i]) + " nm)";
-  return {};
 }
 
 bool swap_material(const std::string& text, std::set<std::string>& named, const Factors& factors,
                    v1::SceneFactors& scene, Report& report) {
-  const auto properties = properties_of(scene);
+  const auto properties = client::properties_of(scene);
   std::vector<std::string> names;
   for (const auto& [name, property] : properties) names.push_back(name);
   const auto swap = parse_swap("--material", "material", text, names, named, report);
   if (!swap) return false;
   const auto reflectance = load(swap->spectrum, "reflectance", report);
   if (!reflectance) return false;
-  if (const std::string fault = range_fault(reflectance->spectrum); !fault.empty()) {
+  if (const std::string fault = client::reflectance_fault(*reflectance); !fault.empty()) {
     report.error("--material: " + metamer::quoted(swap->spectrum) + ": " + fault);
     return false;
   }
-  const Property property = properties.at(swap->name);
-  auto& material = *scene.mutable_material(property.material);
-  set(reflectance->spectrum, property.term == v1::FACTOR_DIFFUSE ? *material.mutable_diffuse()
-                                                                 : *material.mutable_specular());
-  if (!is_shown(property, factors.tables))
+  const client::Property& property = properties.at(swap->name);
+  client::swap_reflectance(property, *reflectance, scene);
+  if (!client::is_shown(property, factors.tables))
     report.note({.field = {},
                  .file = {},
                  .message = "--material " + metamer::quoted(swap->name) +
@@ -185,11 +138,7 @@ bool make_plan(const RelightOptions& options, const v1::SceneFactors& scene, v1:
   }
   if (const auto applied = apply(options.development, *plan.mutable_development()); !applied)
     return report.error(applied.error().message), false;
-  plan.clear_source_white();
-  if (const auto white = source_white(scene, to_observer(plan.observer())))
-    for (const double value : *white) plan.add_source_white(value);
-  plan.clear_auto_();
-  plan.mutable_method()->mutable_exact();
+  client::plan_relit(scene, plan);
   return true;
 }
 
