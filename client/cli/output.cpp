@@ -1,10 +1,6 @@
 #include "client/cli/output.h"
 
-#include <unistd.h>
-
 #include <google/protobuf/text_format.h>
-#include <cerrno>
-#include <cstring>
 
 #include <algorithm>
 #include <filesystem>
@@ -18,22 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Why the file can't be written; empty: nothing speaks against it.
-std::string objection(const std::string& file, bool factors) {
-  const std::string extension = lower_extension(file);
-  if (factors && extension != ".factors") return "\"" + file + "\" does not end in .factors";
-  if (!factors && extension != ".png" && extension != ".exr")
-    return "\"" + file + "\" ends neither in .png nor in .exr";
-  std::error_code error;
-  if (fs::is_directory(file, error)) return "\"" + file + "\" is a folder";
-  const fs::path folder = fs::path(file).parent_path();
-  if (!folder.empty() && !fs::is_directory(folder, error))
-    return "there is no folder \"" + folder.string() + "\"";
-  if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
-    return "the folder of \"" + file + "\" can't be written: " + std::strerror(errno);
-  return {};
-}
-
 /// Where the factors go.
 fs::path factors_file(const OutputOptions& options) {
   return options.factors->empty() ? fs::path(options.files.front()).replace_extension(".factors")
@@ -43,7 +23,8 @@ fs::path factors_file(const OutputOptions& options) {
 /// Some of the files hold spectra.
 bool wants_spectra(const OutputOptions& options) {
   const auto exr = exr_content(options);
-  return exr && exr->spectral && std::any_of(options.files.begin(), options.files.end(), is_exr);
+  return exr && exr->spectral &&
+         std::any_of(options.files.begin(), options.files.end(), client::is_exr);
 }
 
 ExitCode write_kept_factors(const OutputOptions& options, const Factors& factors, Report& report) {
@@ -65,7 +46,9 @@ ExitCode check_output(const OutputOptions& options, Report& report) {
   std::vector<std::string> files = options.files;
   if (options.factors) files.push_back(factors_file(options).string());
   for (const std::string& file : files) {
-    std::string wrong = objection(file, options.factors && &file == &files.back());
+    const bool factors = options.factors && &file == &files.back();
+    std::string wrong = client::objection(
+        file, factors ? client::FileContent::factors : client::FileContent::picture);
     if (wrong.empty() && !seen.insert(fs::path(file).lexically_normal().string()).second)
       wrong = "\"" + file + "\" is named twice";
     if (!wrong.empty()) report.error("--output: " + wrong);

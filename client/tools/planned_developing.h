@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "common/image/image.h"
+#include "metamer/v1/plan.pb.h"
+
+namespace metamer::client {
+
+/// How a plan's X Y Z become the numbers of a picture file.
+struct PlannedDeveloping {
+  Developing developing;
+  std::string unadapted;  ///< Why the adaptation that was asked for can't be done; empty: it can.
+};
+
+/// Error: the server planned a space that there can't be.
+Result<PlannedDeveloping> planned_developing(const v1::Plan& plan);
+
+}  // namespace metamer::client
