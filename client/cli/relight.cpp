@@ -157,11 +157,12 @@ ExitCode relight_file(const RelightOptions& options, Report& report) {
   report.document()["plan"] = to_json(factors->plan);
   report.document()["milliseconds"] = {{"read", milliseconds(start, read)},
                                        {"relight", milliseconds(read, lit)}};
-  const Pictures pictures{image,
-                          factors->plan,
-                          &*factors,
-                          &scene,
-                          {{"metamer:relight", said(options)}, {"metamer:factors", options.file}}};
+  const client::Pictures pictures{
+      image,
+      factors->plan,
+      &*factors,
+      &scene,
+      {{"metamer:relight", said(options)}, {"metamer:factors", options.file}}};
   return write_pictures(options.output, pictures, report);
 }
 
