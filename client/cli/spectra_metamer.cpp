@@ -55,7 +55,7 @@ ExitCode find_metamer(const MetamerOptions& options) {
       options.output, {{.name = original->name + "-metamer", .spectrum = table->reflectance}},
       report);
   if (written != ExitCode::done) return report.finish(written);
-  if (!table->differences.empty()) add_differences(table->differences, report);
+  add_differences(table->differences, report);
   return report.finish(ExitCode::done);
 }
 

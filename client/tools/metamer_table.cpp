@@ -8,13 +8,13 @@ Result<MetamerTable> metamer_table(const Spectrum& original, const NamedSpectrum
                                    const NamedSpectrum& against, cie::Observer observer) {
   auto made = make_metamer(original, under.spectrum, against.spectrum, observer);
   if (!made) return tl::unexpected(std::move(made.error()));
-  MetamerTable table{std::move(made->reflectance), {}};
   std::vector<NamedSpectrum> lights = cie_lights();
   for (const NamedSpectrum* light : {&under, &against})
     if (cie::illuminant(light->name) == nullptr) lights.push_back(*light);
-  if (auto differences = metamerism(original, table.reflectance, lights, observer))
-    table.differences = std::move(*differences);
-  return table;
+  return metamerism(original, made->reflectance, lights, observer)
+      .map([&](std::vector<Mismatch>&& differences) {
+        return MetamerTable{std::move(made->reflectance), std::move(differences)};
+      });
 }
 
 std::string usual_other_light(const std::string& under) { return under == "A" ? "D65" : "A"; }

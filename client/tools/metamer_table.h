@@ -10,7 +10,7 @@ namespace metamer::client {
 
 struct MetamerTable {
   Spectrum reflectance;  ///< As make_metamer gives it.
-  /// From the original, under the CIE's illuminants and the two lights. Empty: one of them is dark.
+  /// From the original, under the CIE's illuminants and the two lights.
   std::vector<Mismatch> differences;
 };
 
