@@ -130,14 +130,14 @@ class Walk {
   long unknown_ = 0;  ///< Open braces and brackets inside something unknown.
 };
 
-/// Bytes of places in a text, which are asked for in their order.
+/// Bytes of positions in a text, which are asked for in their order.
 class Bytes {
  public:
   explicit Bytes(std::string_view text) : text_(text) {}
 
-  std::size_t of(TextPosition place) {
+  std::size_t of(TextPosition position) {
     constexpr int tab_width = 8;
-    for (; at_ < text_.size() && now_ < place; ++at_) {
+    for (; at_ < text_.size() && now_ < position; ++at_) {
       if (text_[at_] == '\n')
         now_ = {now_.line + 1, 0};
       else

@@ -26,7 +26,7 @@ int TextLines::column(std::string_view text, TextPosition position) const {
 }
 
 std::optional<TextPosition> last_identifier(std::string_view text, std::string_view name,
-                                         TextPosition end) {
+                                            TextPosition end) {
   std::optional<TextPosition> found;
   TextTokens tokens(text);
   while (tokens.next() && tokens.position() < end) {
