@@ -13,7 +13,10 @@
 
 namespace {
 
-using namespace metamer;
+namespace service = metamer::service;
+namespace wire = metamer::wire;
+using metamer::Problem;
+using metamer::Result;
 
 constexpr int exit_ok = 0;
 constexpr int exit_failure = 1;

@@ -7,8 +7,8 @@ namespace metamer::service {
 
 namespace asio = boost::asio;
 
-ParentWatch::ParentWatch(asio::any_io_executor executor, int fd, std::function<void()> gone)
-    : stream_(std::move(executor), fd), gone_(std::move(gone)) {}
+ParentWatch::ParentWatch(const asio::any_io_executor& executor, int fd, std::function<void()> gone)
+    : stream_(executor, fd), gone_(std::move(gone)) {}
 
 void ParentWatch::ready() {
   constexpr std::string_view word = "ready\n";

@@ -11,7 +11,7 @@ namespace metamer::service {
 class ParentWatch {
  public:
   /// Takes the descriptor over. `gone` is called once, when the other end is closed.
-  ParentWatch(boost::asio::any_io_executor executor, int fd, std::function<void()> gone);
+  ParentWatch(const boost::asio::any_io_executor& executor, int fd, std::function<void()> gone);
 
   /// Writes `ready` and a line end, and begins to wait.
   void ready();

@@ -56,7 +56,7 @@ void Session::close() {
 void Session::run(asio::awaitable<void> loop) {
   ++running_;
   asio::co_spawn(channel_.executor(), std::move(loop),
-                 [self = shared_from_this()](std::exception_ptr error) {
+                 [self = shared_from_this()](const std::exception_ptr& error) {
                    try {
                      if (error) std::rethrow_exception(error);
                    } catch (const std::exception& exception) {
