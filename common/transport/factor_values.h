@@ -20,22 +20,22 @@ class FactorValues {
 
   /// `factor` must have a source. The answer stays where it is.
   const Values& operator()(const FactorNode& factor) {
-    const auto [place, is_new] = values_.try_emplace(factor);
+    const auto [entry, is_new] = values_.try_emplace(factor);
     if (is_new) {
       const std::vector<double> values = table(factor.kind, factor.index)(factor.node);
-      place->second.assign(values.begin(), values.end());
+      entry->second.assign(values.begin(), values.end());
     }
-    return place->second;
+    return entry->second;
   }
 
  private:
   const FactorTable& table(FactorKind kind, std::uint32_t index) {
-    const auto [place, is_new] = tables_.try_emplace({kind, index});
+    const auto [entry, is_new] = tables_.try_emplace({kind, index});
     if (is_new)
-      place->second = with_kind(kind, [&]<class Kind>(Kind) {
+      entry->second = with_kind(kind, [&]<class Kind>(Kind) {
         return Kind::Table::make(*Kind::source(sources_, index), nm_);
       });
-    return place->second;
+    return entry->second;
   }
 
   FactorSources sources_;

@@ -4,20 +4,20 @@ namespace metamer {
 
 std::uint32_t MessageTables::product(std::uint32_t parent, const FactorNode& factor) {
   const auto next = static_cast<std::uint32_t>(products_.size() + 1);
-  const auto [place, is_new] = products_.try_emplace({parent, factor}, next);
+  const auto [entry, is_new] = products_.try_emplace({parent, factor}, next);
   if (is_new) {
     message_.add_product_parent(parent);
     message_.add_product_material(factor.index);
     message_.add_product_term(static_cast<v1::FactorTerm>(factor.kind));
     message_.add_product_node(factor.node);
   }
-  return place->second;
+  return entry->second;
 }
 
 std::uint32_t MessageTables::signature(std::uint32_t product, std::uint32_t light,
                                        const FactorNode& factor) {
   const auto next = static_cast<std::uint32_t>(signatures_.size());
-  const auto [place, is_new] = signatures_.try_emplace({product, light, factor}, next);
+  const auto [entry, is_new] = signatures_.try_emplace({product, light, factor}, next);
   if (is_new) {
     message_.add_signature_product(product);
     message_.add_signature_light(light);
@@ -25,7 +25,7 @@ std::uint32_t MessageTables::signature(std::uint32_t product, std::uint32_t ligh
     message_.add_signature_term(static_cast<v1::FactorTerm>(factor.kind));
     message_.add_signature_node(factor.node);
   }
-  return place->second;
+  return entry->second;
 }
 
 void MessageTables::clear() {

@@ -6,7 +6,7 @@ namespace {
 /// The bits of i mirrored at the binary point.
 double radical_inverse(unsigned i) {
   double value = 0;
-  for (double place = 0.5; i != 0; i >>= 1, place /= 2) value += (i & 1) * place;
+  for (double digit = 0.5; i != 0; i >>= 1, digit /= 2) value += (i & 1) * digit;
   return value;
 }
 
