@@ -27,8 +27,8 @@ Result<GlPicture> GlPicture::make(gl::Device& device, const std::string& key,
   auto geometry = device.geometry(key, scene, stopped);
   if (!geometry) return tl::unexpected(geometry.error());
   const auto uploaded = Clock::now();
-  auto renderer = gl::Renderer::create(scene, **geometry, plan, method, device.programs(),
-                                       device.capabilities().timers());
+  auto renderer = gl::Passes::create(scene, **geometry, plan, method, device.programs(),
+                                     device.capabilities().timers());
   if (!renderer) return tl::unexpected(renderer.error());
   GlPicture picture(device, std::move(*geometry), std::move(*renderer));
   picture.samples_ = sample_pattern(plan.spp());
@@ -49,7 +49,7 @@ Result<void> GlPicture::render(const v1::RenderTiles& message, const Film& film,
     view_turns.serve();
     return true;
   };
-  for (const gl::Region& region : gl::regions_of(message, gl::Renderer::max_side)) {
+  for (const gl::Region& region : gl::regions_of(message, gl::Passes::max_side)) {
     if (auto done = renderer_.render(region.rect, film, samples_, stopped, work, others); !done)
       return done;
     if (stopped) return {};

@@ -4,7 +4,7 @@
 
 #include "metamer/v1/worker.pb.h"
 #include "server/gl/device.h"
-#include "server/gl/renderer.h"
+#include "server/gl/passes.h"
 #include "server/worker/view_turns.h"
 
 namespace metamer::worker {
@@ -31,12 +31,12 @@ class GlPicture {
 
  private:
   GlPicture(const gl::Device& device, std::shared_ptr<const gl::Geometry> geometry,
-            gl::Renderer renderer)
+            gl::Passes renderer)
       : device_(device), geometry_(std::move(geometry)), renderer_(std::move(renderer)) {}
 
   const gl::Device& device_;
   std::shared_ptr<const gl::Geometry> geometry_;
-  gl::Renderer renderer_;
+  gl::Passes renderer_;
   std::vector<SamplePoint> samples_;
   bool timers_ = false;
   double upload_seconds_ = 0, program_seconds_ = 0;

@@ -11,7 +11,7 @@
 #include "server/cpu/tracer.h"
 #include "server/film/factor_sink.h"
 #include "server/gl/context.h"
-#include "server/plan/choose.h"
+#include "server/render/choose.h"
 #include "server/scene/camera_space.h"
 #include "server/scene/compile.h"
 #include "server/worker/assets.h"

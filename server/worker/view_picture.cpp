@@ -9,7 +9,7 @@
 #include "server/cpu/tracer.h"
 #include "server/film/pixel_sink.h"
 #include "server/gl/device.h"
-#include "server/gl/renderer.h"
+#include "server/gl/passes.h"
 #include "server/worker/view_turns.h"
 
 namespace metamer::worker {
@@ -72,8 +72,8 @@ class GpuPicture : public ViewPicture {
       : scene_(scene), device_(device), geometry_(std::move(geometry)) {}
 
   Result<void> change(const v1::Plan& plan, const Method& method) override {
-    auto renderer = gl::Renderer::create(scene_, *geometry_, plan, method, device_.programs(),
-                                         device_.capabilities().timers());
+    auto renderer = gl::Passes::create(scene_, *geometry_, plan, method, device_.programs(),
+                                       device_.capabilities().timers());
     if (!renderer) return tl::unexpected(renderer.error());
     renderer_.emplace(std::move(*renderer));
     return {};
@@ -111,7 +111,7 @@ class GpuPicture : public ViewPicture {
   const RenderScene& scene_;
   gl::Device& device_;
   std::shared_ptr<const gl::Geometry> geometry_;
-  std::optional<gl::Renderer> renderer_;
+  std::optional<gl::Passes> renderer_;
 };
 
 }  // namespace

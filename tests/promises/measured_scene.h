@@ -3,7 +3,7 @@
 #include <atomic>
 #include <vector>
 
-#include "server/plan/choose.h"
+#include "server/render/choose.h"
 #include "tests/promises/varied_scenes.h"
 
 namespace metamer::promises {

@@ -11,7 +11,7 @@
 #include "common/scene/settings.h"
 #include "server/cpu/tracer.h"
 #include "server/gl/device.h"
-#include "server/gl/renderer.h"
+#include "server/gl/passes.h"
 #include "server/plan/plan.h"
 #include "server/scene/camera_space.h"
 #include "tests/server/test_scene.h"
@@ -51,7 +51,7 @@ class GlExtremes : public ::testing::Test {
     const auto method = make_method(plan, scene);
     const auto geometry = device_->geometry(text, scene, no_stop);
     ASSERT_TRUE(geometry) << geometry.error().message;
-    auto renderer = Renderer::create(scene, **geometry, plan, *method, device_->programs(), false);
+    auto renderer = Passes::create(scene, **geometry, plan, *method, device_->programs(), false);
     ASSERT_TRUE(renderer) << renderer.error().message;
     std::atomic<std::uint64_t> work = 0;
     const auto done = renderer->render(region, film, sample_pattern(plan.spp()), no_stop, work);
@@ -250,7 +250,7 @@ TEST_F(GlExtremes, AContextThatGoesAwayUnderARendererIsAMessage) {
       make_plan(own, with_defaults(test::parse_scene(text).settings()), {.threads = 1});
   const auto method = make_method(plan, own);
   const auto geometry = device_->geometry(text, own, no_stop);
-  auto renderer = Renderer::create(own, **geometry, plan, *method, device_->programs(), false);
+  auto renderer = Passes::create(own, **geometry, plan, *method, device_->programs(), false);
   ASSERT_TRUE(renderer);
   std::vector<float> xyz(16 * 8 * 3);
   std::atomic<std::uint64_t> work = 0;

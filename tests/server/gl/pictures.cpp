@@ -8,7 +8,7 @@
 #include "common/color/lab.h"
 #include "common/scene/settings.h"
 #include "server/cpu/tracer.h"
-#include "server/gl/renderer.h"
+#include "server/gl/passes.h"
 #include "server/plan/plan.h"
 #include "server/plan/reference.h"
 #include "server/scene/camera_space.h"
@@ -116,7 +116,7 @@ Result<Pictures::Xyz> Pictures::by_gl(const v1::Method& method, ProgramCache& ca
   const auto prepared = make_method(own, scene_);
   auto geometry = Geometry::upload(scene_, never);
   if (!geometry) return tl::unexpected(geometry.error());
-  auto renderer = Renderer::create(scene_, *geometry, own, *prepared, cache, false);
+  auto renderer = Passes::create(scene_, *geometry, own, *prepared, cache, false);
   if (!renderer) return tl::unexpected(renderer.error());
   Xyz xyz(std::size_t{width()} * height() * 3);
   std::atomic<std::uint64_t> work = 0;

@@ -1,4 +1,4 @@
-#include "server/gl/renderer.h"
+#include "server/gl/passes.h"
 
 #include <gtest/gtest.h>
 

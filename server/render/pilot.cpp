@@ -1,4 +1,4 @@
-#include "server/plan/pilot.h"
+#include "server/render/pilot.h"
 
 #include <algorithm>
 #include <chrono>

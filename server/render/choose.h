@@ -1,6 +1,6 @@
 #pragma once
 
-#include "server/plan/predict.h"
+#include "server/render/predict.h"
 
 namespace metamer {
 

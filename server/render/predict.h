@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "server/plan/pilot.h"
+#include "server/render/pilot.h"
 #include "server/plan/plan.h"
 
 namespace metamer {

@@ -22,13 +22,13 @@ namespace metamer::gl {
 /// own, whose rasteriser leaves the names of what is seen; then, for each light, a compute shader
 /// finds the point again, asks whether the light is seen, evaluates the model and gathers its
 /// weights; and a method's tables make X Y Z of them. No mirrors. Needs a current Context.
-class Renderer {
+class Passes {
  public:
   /// `scene` in camera space; it and `geometry` must outlive the renderer. Its camera may be
   /// another one for each picture. Errors: what this device does not hold or compile.
-  static Result<Renderer> create(const RenderScene& scene, const Geometry& geometry,
-                                 const v1::Plan& plan, const Method& method, ProgramCache& cache,
-                                 bool timers);
+  static Result<Passes> create(const RenderScene& scene, const Geometry& geometry,
+                               const v1::Plan& plan, const Method& method, ProgramCache& cache,
+                               bool timers);
 
   /// Of a region: what its pixels gather fits any device, and its tiles are told before long.
   static constexpr std::uint32_t max_side = 256;
@@ -45,8 +45,7 @@ class Renderer {
   const PassClock& clock() const { return *clock_; }
 
  private:
-  Renderer(const RenderScene& scene, const Geometry& geometry)
-      : scene_(scene), geometry_(geometry) {}
+  Passes(const RenderScene& scene, const Geometry& geometry) : scene_(scene), geometry_(geometry) {}
   Result<void> upload(const DirectTables& tables);
   Result<void> resize(const Rect& region);
   void bind() const;

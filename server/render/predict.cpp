@@ -1,4 +1,4 @@
-#include "server/plan/predict.h"
+#include "server/render/predict.h"
 
 #include <chrono>
 

@@ -1,4 +1,4 @@
-#include "server/gl/renderer.h"
+#include "server/gl/passes.h"
 
 #include <epoxy/gl.h>
 
@@ -56,27 +56,27 @@ std::vector<float> light_records(const RenderScene& scene) {
 
 }  // namespace
 
-Result<Renderer> Renderer::create(const RenderScene& scene, const Geometry& geometry,
-                                  const v1::Plan& plan, const Method& method, ProgramCache& cache,
-                                  bool timers) {
-  Renderer renderer(scene, geometry);
-  renderer.clock_ = std::make_unique<PassClock>(timers);
-  const bool passes = plan.method().point().multi_pass();
-  renderer.places_of_triangle_ = places_of_triangle(scene, geometry);
-  auto programs = cache.get(scene, {renderer.places_of_triangle_ > 0, passes});
+Result<Passes> Passes::create(const RenderScene& scene, const Geometry& geometry,
+                              const v1::Plan& plan, const Method& method, ProgramCache& cache,
+                              bool timers) {
+  Passes made(scene, geometry);
+  made.clock_ = std::make_unique<PassClock>(timers);
+  const bool multi = plan.method().point().multi_pass();
+  made.places_of_triangle_ = places_of_triangle(scene, geometry);
+  auto programs = cache.get(scene, {made.places_of_triangle_ > 0, multi});
   if (!programs) return tl::unexpected(programs.error());
-  renderer.programs_ = std::move(*programs);
+  made.programs_ = std::move(*programs);
   const DirectTables tables = method.direct_tables();
-  if (auto done = renderer.upload(tables); !done) return tl::unexpected(done.error());
-  if (passes) {
-    auto made = MultiPass::create(tables, plan.lights());
-    if (!made) return tl::unexpected(made.error());
-    renderer.multi_pass_ = std::make_unique<MultiPass>(std::move(*made));
+  if (auto done = made.upload(tables); !done) return tl::unexpected(done.error());
+  if (multi) {
+    auto multi_pass = MultiPass::create(tables, plan.lights());
+    if (!multi_pass) return tl::unexpected(multi_pass.error());
+    made.multi_pass_ = std::make_unique<MultiPass>(std::move(*multi_pass));
   }
-  return renderer;
+  return made;
 }
 
-Result<void> Renderer::upload(const DirectTables& tables) {
+Result<void> Passes::upload(const DirectTables& tables) {
   value_size_ = tables.size;
   row_stride_ = tables.row_stride;
   light_stride_ = tables.light_stride;
@@ -103,7 +103,7 @@ Result<void> Renderer::upload(const DirectTables& tables) {
 }
 
 /// Makes the memory of a region's pixels, where the last region was of another size.
-Result<void> Renderer::resize(const Rect& region) {
+Result<void> Passes::resize(const Rect& region) {
   if (target_.is(region.width, region.height)) return {};
   const std::size_t pixels = std::size_t{region.width} * region.height;
   auto weights = Buffer::zeros("the pixels' weights", pixels * scene_.lights.size() * 16);
@@ -119,7 +119,7 @@ Result<void> Renderer::resize(const Rect& region) {
 }
 
 /// Binds all that the shaders read, and sets what is the same for all samples and lights.
-void Renderer::bind() const {
+void Passes::bind() const {
   geometry_.bind();
   values_.bind_storage(7);
   sensors_.bind_storage(8);
@@ -144,8 +144,8 @@ void Renderer::bind() const {
 }
 
 /// Each light by itself: llvmpipe cuts long loops short.
-void Renderer::for_each_light(const Program& program, const Rect& region,
-                              const std::atomic<bool>& cancelled) const {
+void Passes::for_each_light(const Program& program, const Rect& region,
+                            const std::atomic<bool>& cancelled) const {
   program.use();
   const std::uint32_t pixels = region.width * region.height;
   for (std::uint32_t light = 0; light < scene_.lights.size() && !cancelled; ++light) {
@@ -156,7 +156,7 @@ void Renderer::for_each_light(const Program& program, const Rect& region,
 }
 
 /// Evaluates the models at the places of triangles, once for all that is seen from one eye.
-void Renderer::evaluate_places(const RegionView& view) {
+void Passes::evaluate_places(const RegionView& view) {
   if (places_of_triangle_ == 0 || places_seen_from_ == view.camera.eye) return;
   places_seen_from_ = view.camera.eye;
   const Program& program = programs_->places;
@@ -172,8 +172,8 @@ void Renderer::evaluate_places(const RegionView& view) {
   });
 }
 
-Result<void> Renderer::add_sample(const RegionView& view, SamplePoint place,
-                                  const std::atomic<bool>& cancelled) {
+Result<void> Passes::add_sample(const RegionView& view, SamplePoint place,
+                                const std::atomic<bool>& cancelled) {
   clock_->run(Pass::visibility, [&] {
     for (const Program* program : {&programs_->triangles, &programs_->spheres})
       view.set(*program, place);
@@ -193,10 +193,10 @@ Result<void> Renderer::add_sample(const RegionView& view, SamplePoint place,
   return done;
 }
 
-Result<void> Renderer::render(const Rect& region, const Film& film,
-                              std::span<const SamplePoint> samples,
-                              const std::atomic<bool>& cancelled, std::atomic<std::uint64_t>& work,
-                              const std::function<bool()>& others) {
+Result<void> Passes::render(const Rect& region, const Film& film,
+                            std::span<const SamplePoint> samples,
+                            const std::atomic<bool>& cancelled, std::atomic<std::uint64_t>& work,
+                            const std::function<bool()>& others) {
   if (auto done = resize(region); !done) return done;
   weights_.clear();
   colors_.clear();
@@ -221,7 +221,7 @@ Result<void> Renderer::render(const Rect& region, const Film& film,
   return {};
 }
 
-void Renderer::read_back(const Rect& region, const Film& film, std::size_t samples) const {
+void Passes::read_back(const Rect& region, const Film& film, std::size_t samples) const {
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   std::vector<float> colors(std::size_t{region.width} * region.height * 4);
   colors_.read(colors);

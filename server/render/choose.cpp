@@ -1,4 +1,4 @@
-#include "server/plan/choose.h"
+#include "server/render/choose.h"
 
 #include <google/protobuf/util/message_differencer.h>
 
