@@ -156,11 +156,11 @@ void Passes::for_each_light(const Program& program, const Rect& region,
 }
 
 /// Evaluates the models at the places of triangles, once for all that is seen from one eye.
-void Passes::evaluate_places(const RegionView& view) {
-  if (places_of_triangle_ == 0 || places_seen_from_ == view.camera.eye) return;
-  places_seen_from_ = view.camera.eye;
+void Passes::evaluate_places() {
+  if (places_of_triangle_ == 0 || places_seen_from_ == view_->camera.eye) return;
+  places_seen_from_ = view_->camera.eye;
   const Program& program = programs_->places;
-  view.set(program, {0, 0});
+  view_->set(program, {0, 0});
   places_.bind_storage(3);
   program.use();
   clock_->run(Pass::places, [&] {
@@ -172,52 +172,45 @@ void Passes::evaluate_places(const RegionView& view) {
   });
 }
 
-Result<void> Passes::add_sample(const RegionView& view, SamplePoint place,
-                                const std::atomic<bool>& cancelled) {
+Result<void> Passes::begin(const Rect& region, const Film& film) {
+  if (auto done = resize(region); !done) return done;
+  weights_.clear();
+  colors_.clear();
+  bind();
+  view_.emplace(RegionView{scene_.camera, film.width, film.height, region});
+  evaluate_places();
+  return {};
+}
+
+Result<void> Passes::add(SamplePoint place, const std::atomic<bool>& cancelled) {
   clock_->run(Pass::visibility, [&] {
     for (const Program* program : {&programs_->triangles, &programs_->spheres})
-      view.set(*program, place);
+      view_->set(*program, place);
     target_.begin();
     geometry_.draw(programs_->triangles, programs_->spheres);
   });
   Result<void> done;
   clock_->run(Pass::shading, [&] {
     if (multi_pass_) {
-      done = multi_pass_->run(*programs_, geometry_, places_, view, place, cancelled);
+      done = multi_pass_->run(*programs_, geometry_, places_, *view_, place, cancelled);
       return;
     }
-    view.set(programs_->shade, place);
+    view_->set(programs_->shade, place);
     if (places_of_triangle_ > 0) places_.bind_storage(3);
-    for_each_light(programs_->shade, view.region, cancelled);
+    for_each_light(programs_->shade, view_->region, cancelled);
   });
-  return done;
+  return done ? check_context() : done;
 }
 
-Result<void> Passes::render(const Rect& region, const Film& film,
-                            std::span<const SamplePoint> samples,
-                            const std::atomic<bool>& cancelled, std::atomic<std::uint64_t>& work,
-                            const std::function<bool()>& others) {
-  if (auto done = resize(region); !done) return done;
-  weights_.clear();
-  colors_.clear();
-  bind();
-  const RegionView view{scene_.camera, film.width, film.height, region};
-  evaluate_places(view);
-  for (const SamplePoint& place : samples) {
-    if (cancelled) return {};
-    if (auto done = add_sample(view, place, cancelled); !done) return done;
-    if (auto sound = check_context(); !sound) return sound;
-    work += std::uint64_t{region.width} * region.height;
-    if (others()) bind();
-  }
-  view.set(programs_->finish, {0, 0});
+Result<void> Passes::finish(const Film& film, std::size_t samples,
+                            const std::atomic<bool>& cancelled) {
+  view_->set(programs_->finish, {0, 0});
   clock_->run(Pass::color, [&] {
-    if (!multi_pass_) for_each_light(programs_->finish, region, cancelled);
+    if (!multi_pass_) for_each_light(programs_->finish, view_->region, cancelled);
   });
   if (const GLenum error = glGetError(); error != GL_NO_ERROR)
     return problem("GL error " + std::to_string(error) + " while rendering");
-  if (cancelled) return {};
-  read_back(region, film, samples.size());
+  if (!cancelled) read_back(view_->region, film, samples);
   return {};
 }
 

@@ -1,10 +1,8 @@
 #pragma once
 
 #include <atomic>
-#include <functional>
 #include <memory>
 #include <optional>
-#include <span>
 
 #include "metamer/v1/plan.pb.h"
 #include "server/film/film.h"
@@ -33,14 +31,17 @@ class Passes {
   /// Of a region: what its pixels gather fits any device, and its tiles are told before long.
   static constexpr std::uint32_t max_side = 256;
 
-  /// Renders a part of the picture that fills the film: the mean of these samples of each pixel.
-  /// Looks at `cancelled` before each sample, light and pass, and then leaves the film as it is;
-  /// `work` counts samples of pixels. Between samples others may use the context: `others` says
-  /// whether they did. Errors: a region that this device does not hold.
-  Result<void> render(
-      const Rect& region, const Film& film, std::span<const SamplePoint> samples,
-      const std::atomic<bool>& cancelled, std::atomic<std::uint64_t>& work,
-      const std::function<bool()>& others = [] { return false; });
+  /// Begins a region of the picture that fills a film of this size, from where the scene's camera
+  /// is now. Errors: a region that this device does not hold.
+  Result<void> begin(const Rect& region, const Film& film);
+  /// Others have used the context since the last call.
+  void bind() const;
+  /// Adds one sample of each of the region's pixels. Looks at `cancelled` before each light and
+  /// pass, and then leaves the rest out. Errors: the context is gone.
+  Result<void> add(SamplePoint place, const std::atomic<bool>& cancelled);
+  /// Writes X Y Z of the region's pixels into the film, the mean of so many samples; not once
+  /// `cancelled`.
+  Result<void> finish(const Film& film, std::size_t samples, const std::atomic<bool>& cancelled);
 
   const PassClock& clock() const { return *clock_; }
 
@@ -48,12 +49,9 @@ class Passes {
   Passes(const RenderScene& scene, const Geometry& geometry) : scene_(scene), geometry_(geometry) {}
   Result<void> upload(const DirectTables& tables);
   Result<void> resize(const Rect& region);
-  void bind() const;
   void for_each_light(const Program& program, const Rect& region,
                       const std::atomic<bool>& cancelled) const;
-  void evaluate_places(const RegionView& view);
-  Result<void> add_sample(const RegionView& view, SamplePoint place,
-                          const std::atomic<bool>& cancelled);
+  void evaluate_places();
   void read_back(const Rect& region, const Film& film, std::size_t samples) const;
 
   const RenderScene& scene_;
@@ -63,6 +61,7 @@ class Passes {
   std::uint32_t value_size_ = 0, row_stride_ = 0, light_stride_ = 0, sensor_stride_ = 0;
   std::uint32_t places_of_triangle_ = 0;  ///< 0: models are evaluated at samples.
   std::optional<Eigen::Vector3d> places_seen_from_;
+  std::optional<RegionView> view_;  ///< Of the region under way.
   Target target_;
   std::unique_ptr<MultiPass> multi_pass_;  ///< Where the plan asks for it.
   std::unique_ptr<PassClock> clock_;

@@ -1,21 +1,16 @@
 #include "server/render/pilot.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <limits>
 #include <set>
 
 #include "common/color/error_statistics.h"
-#include "server/cpu/tracer.h"
 #include "server/transport/mirror.h"
 
 namespace metamer {
 namespace {
 
 constexpr std::size_t max_scene_colors = 2048;
-
-double fraction(double value) { return value - std::floor(value); }
 
 /// A pixel that receives one light from one surface, over a mirror or none.
 class ColorPatch {
@@ -58,40 +53,22 @@ std::uint32_t pilot_count(const v1::Plan& plan) {
   return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(pixels / 1024, 16, 256));
 }
 
-PilotPixels trace_pixels(const RenderScene& scene, const cpu::EmbreeScene& geometry,
-                         const v1::Plan& plan, PixelRun run, Reference& reference,
-                         const std::atomic<bool>& stopped, std::atomic<std::uint64_t>& work) {
-  using Clock = std::chrono::steady_clock;
-  const cpu::Tracer tracer(scene, geometry, plan);
-  auto workspace = tracer.make_workspace();
+PilotPixels trace_pixels(const Probe& probe, const v1::Plan& plan, PixelRun run,
+                         Reference& reference, const std::atomic<bool>& stopped,
+                         std::atomic<std::uint64_t>& work) {
+  TracedPixels traced = probe.trace(plan, run, stopped, work);
   PilotPixels pixels;
   pixels.scale = 1 / static_cast<float>(plan.spp());
-  const auto start = Clock::now();
-  const std::uint32_t block = tracer.block_width() * tracer.block_height();
-  for (std::uint32_t k = run.first; k < run.first + run.count && !stopped; k += block) {
-    // Find the block of the place.
-    const auto place = [k](double alpha, std::uint32_t size, std::uint32_t block) {
-      const auto at = static_cast<std::uint32_t>(fraction(0.5 + (k + 1) * alpha) * size);
-      return std::min(at, size - 1) / block * block;
-    };
-    const std::uint32_t x = place(0.7548776662466927, plan.width(), tracer.block_width());
-    const std::uint32_t y = place(0.5698402909980532, plan.height(), tracer.block_height());
-    tracer.gather_block(x, y, workspace);
-
-    for (std::uint32_t i = 0; i < workspace.gathers.size(); ++i)
-      if (x + i % tracer.block_width() < plan.width() &&
-          y + i / tracer.block_width() < plan.height())
-        pixels.gathers.push_back(workspace.gathers[i]);
-    ++work;
-  }
-  pixels.trace_seconds = std::chrono::duration<double>(Clock::now() - start).count() /
-                         static_cast<double>(std::max<std::size_t>(1, pixels.gathers.size()));
+  pixels.gathers = std::move(traced.gathers);
+  pixels.trace_seconds = traced.seconds;
   for (const Gather& gather : pixels.gathers) {
     pixels.reference.push_back(
         to_lab(reference.resolve(gather, 1.0 / plan.spp()), reference.white()));
     if (++work; stopped) break;
   }
-  pixels.gathers.resize(pixels.reference.size(), Gather(scene.lights.size()));
+  pixels.gathers.erase(
+      pixels.gathers.begin() + static_cast<std::ptrdiff_t>(pixels.reference.size()),
+      pixels.gathers.end());
   return pixels;
 }
 

@@ -5,9 +5,9 @@
 
 #include "common/color/lab.h"
 #include "metamer/v1/plan.pb.h"
-#include "server/cpu/embree_scene.h"
 #include "server/methods/method.h"
 #include "server/plan/reference.h"
+#include "server/render/probe.h"
 
 namespace metamer {
 
@@ -20,21 +20,15 @@ struct PilotPixels {
   double trace_seconds = 0;  ///< A pixel, on one thread.
 };
 
-/// A run of the places of a sequence that fills the picture evenly (M. Roberts' R2, the plastic
-/// number's powers): runs that do not overlap are of different pixels, but for chance.
-struct PixelRun {
-  std::uint32_t first, count;
-};
-
 /// So many pixels show what a method does to a picture of this size: about one in 1024, a few
 /// hundred at most, as measuring them must cost next to nothing of the picture.
 std::uint32_t pilot_count(const v1::Plan& plan);
 
-/// Traces the pixels of the run; with few samples also those that share a packet with them. Stops
-/// early, with what it has, once `stopped`; `work` counts pixels.
-PilotPixels trace_pixels(const RenderScene& scene, const cpu::EmbreeScene& geometry,
-                         const v1::Plan& plan, PixelRun run, Reference& reference,
-                         const std::atomic<bool>& stopped, std::atomic<std::uint64_t>& work);
+/// Traces the pixels of the run, and makes the reference's colours of them. Stops early, with what
+/// it has, once `stopped`; `work` counts pixels.
+PilotPixels trace_pixels(const Probe& probe, const v1::Plan& plan, PixelRun run,
+                         Reference& reference, const std::atomic<bool>& stopped,
+                         std::atomic<std::uint64_t>& work);
 
 /// Made up pixels: each light on each surface that faces it, directly and in each mirror. What a
 /// method gets wrong here it may get wrong where no pilot pixel fell. At most 2048.

@@ -29,7 +29,7 @@ PixelRun fresh_run(const v1::Plan& plan, std::uint32_t round) {
 v1::ColorError error_on(PixelRun run, const PilotScene& pilot, const v1::Plan& plan,
                         Reference& reference, const Method& method) {
   const PilotPixels pixels =
-      trace_pixels(pilot.scene, pilot.geometry, plan, run, reference, pilot.stopped, pilot.work);
+      trace_pixels(pilot.probe, plan, run, reference, pilot.stopped, pilot.work);
   return summarize(color_errors(method, pixels, {0, pixels.gathers.size()}, reference.white(),
                                 *method.make_scratch()));
 }
@@ -46,15 +46,9 @@ Predictor::Predictor(const PilotScene& pilot)
     : pilot_(pilot),
       plan_(plan_with(pilot, any_method())),
       reference_(pilot.scene, to_observer(plan_.observer())),
-      pixels_(trace_pixels(pilot.scene, pilot.geometry, plan_, {0, pilot_count(plan_)}, reference_,
-                           pilot.stopped, pilot.work)),
+      pixels_(trace_pixels(pilot.probe, plan_, {0, pilot_count(plan_)}, reference_, pilot.stopped,
+                           pilot.work)),
       colors_(scene_colors(pilot.scene, reference_)) {}
-
-double Predictor::pixel_seconds(double seconds) const {
-  return seconds * plan_.width() * plan_.height() / std::max(1u, plan_.threads());
-}
-
-double Predictor::floor_seconds() const { return pixel_seconds(pixels_.trace_seconds); }
 
 Predicted Predictor::predict(const v1::Method& method) {
   const auto start = Clock::now();
@@ -76,7 +70,8 @@ Predicted Predictor::predict(const v1::Method& method) {
   const double resolve =
       seconds_since(half_time) / static_cast<double>(std::max<std::size_t>(1, rest.size()));
   errors.insert(errors.end(), rest.begin(), rest.end());
-  prediction.set_render(pixel_seconds(pixels_.trace_seconds + resolve));
+  prediction.set_render(pilot_.probe.picture_seconds(
+      plan, *predicted.method, pixels_.trace_seconds + resolve, pilot_.stopped, pilot_.work));
   *prediction.mutable_error() = summarize(errors);
 
   prediction.set_bound(summarize(color_errors(*predicted.method, colors_,

@@ -2,15 +2,15 @@
 
 #include <memory>
 
-#include "server/render/pilot.h"
 #include "server/plan/plan.h"
+#include "server/render/pilot.h"
 
 namespace metamer {
 
-/// What is predicted: a scene in front of its camera.
+/// What is predicted: a scene in front of its camera, by one backend.
 struct PilotScene {
   const RenderScene& scene;
-  const cpu::EmbreeScene& geometry;
+  Probe& probe;                  ///< Of that scene; prepared.
   const v1::Settings& settings;  ///< Validated, defaults filled in; the method does not matter.
   const Capabilities& capabilities;
   const std::atomic<bool>& stopped;
@@ -41,11 +41,9 @@ class Predictor {
   v1::ColorError check(const Method& method, std::uint32_t round);
 
   /// Seconds that any method takes: those of the rays.
-  double floor_seconds() const;
+  double floor_seconds() const { return pilot_.probe.least_seconds(plan_, pixels_.trace_seconds); }
 
  private:
-  double pixel_seconds(double seconds) const;  ///< Of the picture, where a pixel takes so many.
-
   const PilotScene& pilot_;
   v1::Plan plan_;
   Reference reference_;

@@ -2,7 +2,6 @@
 
 #include "common/models/registry.h"
 #include "metamer/v1/scene.pb.h"
-#include "server/gl/device.h"
 
 namespace metamer::worker {
 
@@ -29,9 +28,8 @@ void add(const models::Entry& entry, v1::Capabilities& to) {
 
 v1::Capabilities capabilities(const WorkerOptions& options) {
   v1::Capabilities result;
-  result.add_backend(options.gl ? "gl" : "cpu");
+  options.backend->describe(result);
   result.set_threads(options.threads);
-  if (options.gl) *result.mutable_gl() = options.gl->capabilities();
   const auto* methods = v1::Method::descriptor()->FindOneofByName("method");
   for (int i = 0; i < methods->field_count(); ++i) result.add_method(methods->field(i)->name());
   using models::Kind;

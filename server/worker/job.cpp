@@ -2,20 +2,14 @@
 
 #include <sys/mman.h>
 #include <sys/stat.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include "common/scene/settings.h"
 #include "common/wire/frame.h"
-#include "server/cpu/ticks.h"
-#include "server/cpu/tracer.h"
 #include "server/film/factor_sink.h"
-#include "server/gl/context.h"
 #include "server/render/choose.h"
 #include "server/scene/camera_space.h"
 #include "server/scene/compile.h"
 #include "server/worker/assets.h"
-#include "server/worker/gl_picture.h"
 #include "server/worker/problems.h"
 
 namespace metamer::worker {
@@ -73,7 +67,7 @@ void Job::compile(const v1::CompileJob& message) {
   if (!bytes || !scene.ParseFromString(*bytes))
     return send_failure(v1::Failed::BAD_INPUT, "the scene's bytes are no scene");
   *scene.mutable_settings() = with_defaults(scene.settings());
-  scene.mutable_settings()->set_backend(options_.gl ? v1::GL : v1::CPU);
+  scene.mutable_settings()->set_backend(options_.backend->id());
   ++work_;
 
   // Compile it: names, spectra and meshes become flat arrays.
@@ -85,12 +79,14 @@ void Job::compile(const v1::CompileJob& message) {
   if (stopped_) return send_stopped();
   if (!compiled) return send_problems(compiled.error());
   const CameraSpace space = CameraSpace::of(*compiled);
-  geometry_key_ = geometry_key(objects_key(scene, *compiled, message.asset()), space);
+  const std::string key = geometry_key(objects_key(scene, *compiled, message.asset()), space);
   scene_ = std::make_unique<RenderScene>(std::move(*compiled));
   space.place(*scene_);
+  renderer_ = options_.backend->make_renderer(*scene_, key);
+  probe_ = renderer_->make_probe();
 
   keep_factors_ = message.keep_factors();
-  if (keep_factors_ && options_.gl)
+  if (keep_factors_ && options_.backend->id() == v1::GL)
     return send_failure(v1::Failed::BAD_INPUT, "the gl backend keeps no factors for relighting");
   if (keep_factors_)
     keep_factors_ = send_factors(nullptr, scene_factors(*scene_).SerializeAsString());
@@ -116,9 +112,9 @@ bool Job::make_plan(const v1::CompileJob& message) {
   std::vector<v1::Prediction> predictions;
   std::string objection;
   if (settings_.method().has_auto_() || message.explain()) {
-    if (!build_geometry()) return false;
+    if (!build([&] { return probe_->prepare(stopped_); })) return false;
     const auto start = Clock::now();
-    const PilotScene pilot{*scene_, *geometry_, settings_, capabilities, stopped_, work_};
+    const PilotScene pilot{*scene_, *probe_, settings_, capabilities, stopped_, work_};
     if (settings_.method().has_auto_()) {
       Choice choice = choose(pilot, goal, seconds_since(begun_));
       *settings_.mutable_method() = choice.method;
@@ -128,6 +124,8 @@ bool Job::make_plan(const v1::CompileJob& message) {
     }
     if (message.explain()) predictions = predict_all(pilot, settings_.method());
     timing_.set_pilot(seconds_since(start));
+    v1::Timing within_pilot;
+    renderer_->report(within_pilot);
     if (stopped_) return false;
   }
 
@@ -141,8 +139,6 @@ bool Job::make_plan(const v1::CompileJob& message) {
     notice->set_message(message);
   };
   if (!objection.empty()) say("settings.method.auto", objection);
-  if (options_.gl && !predictions.empty())
-    say("settings.backend", "seconds are predicted for the cpu backend");
   if (message.keep_factors() && !keep_factors_)
     say("material", "the scene's spectra are too many to keep factors for");
   return true;
@@ -155,121 +151,92 @@ void Job::render(const v1::RenderTiles& message) {
   const MappedFilm film(options_.film_descriptor, plan_);
   if (!film) return send_failure(v1::Failed::SERVER, "no shared memory for the picture");
 
-  const Film view{film.xyz(), plan_.width(), plan_.height()};
-  if (options_.gl) {
-    const auto done = render_by_gl(message, view);
-    if (!done && !stopped_) {
-      send_failure(v1::Failed::SERVER, done.error().message);
-      // The next job gets a new worker, with a new context.
-      if (!gl::check_context()) std::_Exit(1);
-      return;
-    }
-  } else {
-    tbb::task_arena arena(static_cast<int>(plan_.threads()));
-    arena.execute(
-        [&] { return prepare_method() && build_geometry() && render_tiles(message, view); });
-    timing_.set_models(static_cast<double>(model_ticks_) /
-                       static_cast<double>(std::max<std::uint64_t>(ticks_, 1)));
-  }
+  const auto drawn = draw(message, {film.xyz(), plan_.width(), plan_.height()});
   if (stopped_) return send_stopped();
+  if (!drawn) {
+    send_failure(v1::Failed::SERVER, drawn.error().message);
+    // The next job gets a new worker, with a new device.
+    if (!options_.backend->is_sound()) std::_Exit(1);
+    return;
+  }
   v1::WorkerEnvelope done = envelope();
   *done.mutable_done()->mutable_timing() = timing_;
   if (plan_.has_auto_() && message.last()) measure_promise(*done.mutable_done());
   send_last(done);
 }
 
-bool Job::build_geometry() {
-  if (geometry_) return true;
+/// Builds a hierarchy while the views have their turns. False when stopped.
+bool Job::build(const std::function<bool()>& prepare) {
   const auto start = Clock::now();
-  view_turns_.serve_while([&] {
-    tbb::task_arena arena(static_cast<int>(options_.threads));
-    arena.execute([&] { geometry_ = cpu::EmbreeScene::build(*scene_, stopped_); });
-  });
-  timing_.set_acceleration(seconds_since(start));
+  bool built = false;
+  view_turns_.serve_while([&] { built = prepare(); });
+  timing_.set_acceleration(timing_.acceleration() + seconds_since(start));
   ++work_;
-  return geometry_.has_value();
+  return built;
 }
 
-/// Makes the method's tables. Not stopped by anything.
-bool Job::prepare_method() {
+/// Makes the method's tables, and what the renderer draws by, the first time.
+Result<void> Job::prepare() {
+  if (prepared_) return {};
   if (!method_) {
     const auto start = Clock::now();
     method_ = make_method(plan_, *scene_);
     timing_.set_prepare(seconds_since(start));
     ++work_;
   }
-  return true;
+  if (!build([&] { return renderer_->prepare(stopped_); })) return {};  // stopped
+  const auto changed = renderer_->change(plan_, *method_, stopped_);
+  prepared_ = changed.has_value();
+  ++work_;
+  return changed;
 }
 
 /// Holds the promise against pixels that had no part in the choice.
 void Job::measure_promise(v1::JobDone& done) {
   const double elapsed = seconds_since(begun_);
   const Capabilities capabilities{.threads = options_.threads};
-  if (!build_geometry()) return;  // stopped
+  if (!build([&] { return probe_->prepare(stopped_); })) return;  // stopped
   v1::Accuracy& accuracy = *done.mutable_accuracy();
   *accuracy.mutable_error() =
-      measure({*scene_, *geometry_, settings_, capabilities, stopped_, work_}, *method_);
+      measure({*scene_, *probe_, settings_, capabilities, stopped_, work_}, *method_);
   if (plan_.auto_().has_deadline()) return accuracy.set_kept(elapsed <= plan_.auto_().deadline());
   accuracy.set_kept(accuracy.error().maximum() <= plan_.auto_().tolerance());
   if (!accuracy.kept() && !plan_.method().has_exact()) done.mutable_better()->mutable_exact();
 }
 
-/// False when stopped.
-bool Job::render_tiles(const v1::RenderTiles& message, const Film& film) {
-  const cpu::Tracer tracer(*scene_, *geometry_, plan_);
-  std::atomic<int> next = 0;
-  while (next < message.tile_size() && !stopped_) {
-    render_some(tracer, message, film, next);
-    if (!stopped_ && view_turns_.waiting()) view_turns_.serve();
+/// Draws the tiles, until others have waited for a turn's time, and so on.
+Result<void> Job::draw(const v1::RenderTiles& message, const Film& film) {
+  if (auto ready = prepare(); !ready || stopped_ || message.tile().empty()) return ready;
+  Picture picture{.film = film,
+                  .samples = sample_pattern(plan_.spp()),
+                  .tiles = {},
+                  .tile_done = [this](const DrawnTile& drawn) { take(drawn); },
+                  .keep_factors = keep_factors_};
+  for (const v1::TileRect& tile : message.tile())
+    picture.tiles.push_back({tile.x(), tile.y(), tile.width(), tile.height()});
+  renderer_->begin(std::move(picture));
+  for (;;) {
+    const auto begun = Clock::now();
+    const auto is_over = [&] { return view_turns_.waiting() && Clock::now() - begun > turn_time; };
+    const auto whole = renderer_->draw({stopped_, is_over, work_});
+    if (!whole) return tl::unexpected(whole.error());
+    if (*whole || stopped_) break;
+    view_turns_.serve();
   }
-  return !stopped_;
+  renderer_->report(timing_);
+  return {};
 }
 
-/// Lets each thread take the next tile, so that they are begun in the daemon's order; until the
-/// last one, or until others have waited for a turn's time.
-void Job::render_some(const cpu::Tracer& tracer, const v1::RenderTiles& message, const Film& film,
-                      std::atomic<int>& next) {
-  const auto begun = Clock::now();
-  const auto is_over = [&] { return view_turns_.waiting() && Clock::now() - begun > turn_time; };
-  tbb::parallel_for(0u, plan_.threads(), [&](unsigned) {
-    cpu::Tracer::Workspace workspace = tracer.make_workspace();
-    FilmSink film_sink(*method_, film, plan_.spp());
-    FactorSink factor_sink(film_sink, plan_.spp());
-    PixelSink& sink = keep_factors_ ? static_cast<PixelSink&>(factor_sink) : film_sink;
-    const std::uint64_t start = cpu::ticks();
-    for (int i = next++; i < message.tile_size() && !stopped_; i = next++) {
-      const v1::TileRect& tile = message.tile(i);
-      const Rect rect{tile.x(), tile.y(), tile.width(), tile.height()};
-      workspace.rays = 0;
-      if (keep_factors_) factor_sink.begin(rect);
-      tracer.render(rect, sink, workspace, stopped_, work_);
-      if (stopped_) return;
-      // A picture outlives its factors: a tile without any says so.
-      if (keep_factors_ && !too_many_factors_)
-        too_many_factors_ = !send_factors(&tile, factor_sink.finish().SerializeAsString());
-      send_tile(tile, workspace.rays);
-      if (is_over()) break;
-    }
-    ticks_ += cpu::ticks() - start;
-    model_ticks_ += cpu::model_ticks(workspace);
-  });
-}
-
-/// Renders region by region, each of them whole before its tiles are told.
-Result<void> Job::render_by_gl(const v1::RenderTiles& message, const Film& film) {
-  prepare_method();
-  if (!gl_picture_) {
-    auto made = GlPicture::make(*options_.gl, geometry_key_, *scene_, plan_, *method_, stopped_);
-    if (!made) return tl::unexpected(made.error());
-    gl_picture_ = std::make_unique<GlPicture>(std::move(*made));
-    gl_picture_->add_preparation(timing_);
-    ++work_;
-  }
-  const auto done = gl_picture_->render(
-      message, film, stopped_, work_, view_turns_,
-      [&](const v1::TileRect& tile, std::uint64_t rays) { send_tile(tile, rays); });
-  gl_picture_->set_passes(timing_);
-  return done;
+/// From any thread. A picture outlives its factors: a tile without any says so.
+void Job::take(const DrawnTile& drawn) {
+  v1::TileRect tile;
+  tile.set_x(drawn.rect.x);
+  tile.set_y(drawn.rect.y);
+  tile.set_width(drawn.rect.width);
+  tile.set_height(drawn.rect.height);
+  if (drawn.factors && !too_many_factors_)
+    too_many_factors_ = !send_factors(&tile, drawn.factors->SerializeAsString());
+  send_tile(tile, drawn.rays);
 }
 
 void Job::send_tile(const v1::TileRect& tile, std::uint64_t rays) {

@@ -3,35 +3,27 @@
 #include <atomic>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "common/problem.h"
 #include "metamer/v1/worker.pb.h"
-#include "server/cpu/embree_scene.h"
 #include "server/film/film.h"
 #include "server/methods/method.h"
+#include "server/render/renderer.h"
 #include "server/scene/render_scene.h"
 #include "server/worker/link.h"
 #include "server/worker/view_turns.h"
 
-namespace metamer::gl {
-class Device;
-}
-namespace metamer::cpu {
-class Tracer;
-}
-
 namespace metamer::worker {
-
-class GlPicture;
 
 /// What a worker is started with.
 struct WorkerOptions {
   std::filesystem::path store;  ///< Assets, by their hex digest.
-  unsigned threads = 0;         ///< Of the CPU lane.
-  gl::Device* gl = nullptr;     ///< Of the GL lane; null: this is a CPU worker.
-  int film_descriptor = -1;     ///< Shared memory, sized by the daemon.
+  unsigned threads = 0;
+  Backend* backend = nullptr;  ///< What it draws by.
+  int film_descriptor = -1;    ///< Shared memory, sized by the daemon.
 };
 
 /// Counts pixels and other steps, for the heartbeat.
@@ -71,14 +63,12 @@ class Job {
   void send_tile(const v1::TileRect& tile, std::uint64_t rays);
   void send_last(const v1::WorkerEnvelope& message);
   bool make_plan(const v1::CompileJob& message);
-  bool build_geometry();
-  bool prepare_method();
-  Result<void> render_by_gl(const v1::RenderTiles& message, const Film& film);
+  bool build(const std::function<bool()>& prepare);
+  Result<void> prepare();
+  Result<void> draw(const v1::RenderTiles& message, const Film& film);
   void measure_promise(v1::JobDone& done);
   bool send_factors(const v1::TileRect* tile, const std::string& bytes);
-  bool render_tiles(const v1::RenderTiles& message, const Film& film);
-  void render_some(const cpu::Tracer& tracer, const v1::RenderTiles& message, const Film& film,
-                   std::atomic<int>& next);
+  void take(const DrawnTile& drawn);
 
   std::uint64_t id_;
   const WorkerOptions& options_;
@@ -89,16 +79,15 @@ class Job {
   std::atomic<bool> too_many_factors_ = false;  ///< The picture goes on without.
   bool keep_factors_ = false;
   std::atomic<bool> ended_ = false;
-  std::unique_ptr<RenderScene> scene_;
+  std::unique_ptr<RenderScene> scene_;  // outlives what refers to it
   std::unique_ptr<Method> method_;
-  std::optional<cpu::EmbreeScene> geometry_;
-  std::string geometry_key_;  ///< All that the geometry depends on.
-  std::unique_ptr<GlPicture> gl_picture_;
-  v1::Settings settings_;  ///< With the defaults filled in.
+  std::unique_ptr<Renderer> renderer_;
+  std::unique_ptr<Probe> probe_;  ///< Of the renderer.
+  bool prepared_ = false;         ///< The renderer knows plan and method.
+  v1::Settings settings_;         ///< With the defaults filled in.
   v1::Plan plan_;
   v1::Timing timing_;
   std::chrono::steady_clock::time_point begun_;
-  std::atomic<std::uint64_t> ticks_ = 0, model_ticks_ = 0;  ///< Of all threads, while rendering.
 };
 
 }  // namespace metamer::worker

@@ -3,8 +3,6 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "server/gl/device.h"
-
 namespace metamer::worker {
 
 Lane::Lane(const WorkerOptions& options, Link& link, Work& work, std::atomic<bool>& busy)
@@ -81,11 +79,9 @@ void Lane::stop(std::uint64_t job_id) {
 }
 
 void Lane::run() {
-  if (options_.gl) {
-    if (const auto taken = options_.gl->context().make_current(); !taken) {
-      std::fprintf(stderr, "metamer-worker: %s\n", taken.error().message.c_str());
-      std::_Exit(1);
-    }
+  if (const auto entered = options_.backend->enter(); !entered) {
+    std::fprintf(stderr, "metamer-worker: %s\n", entered.error().message.c_str());
+    std::_Exit(1);
   }
   std::unique_lock lock(mutex_);
   for (;;) {

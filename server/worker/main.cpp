@@ -10,7 +10,8 @@
 #include <string>
 #include <thread>
 
-#include "server/gl/device.h"
+#include "server/cpu/renderer.h"
+#include "server/gl/renderer.h"
 #include "server/worker/capabilities.h"
 #include "server/worker/heartbeat.h"
 #include "server/worker/lane.h"
@@ -51,11 +52,15 @@ int run(metamer::worker::WorkerOptions options, const std::string& gl_device) {
 #endif
   metamer::worker::Link link(link_descriptor);
   std::unique_ptr<metamer::gl::Device> device;
-  if (!gl_device.empty()) {
+  std::unique_ptr<metamer::Backend> backend;
+  if (gl_device.empty()) {
+    backend = metamer::cpu::make_backend(options.threads);
+  } else {
     device = open_device(gl_device, link);
     if (!device) return 1;
-    options.gl = device.get();
+    backend = metamer::gl::make_backend(*device, options.threads);
   }
+  options.backend = backend.get();
   const std::string sandbox = metamer::worker::enter_sandbox(options.store);
   metamer::worker::Work work = 0;
   std::atomic<bool> busy = false;
@@ -80,7 +85,7 @@ int run(metamer::worker::WorkerOptions options, const std::string& gl_device) {
 
 int main(int count, char** arguments) {
   metamer::worker::WorkerOptions options{
-      .store = {}, .threads = 0, .gl = nullptr, .film_descriptor = film_descriptor};
+      .store = {}, .threads = 0, .backend = nullptr, .film_descriptor = film_descriptor};
   std::string gl_device;
   for (int i = 1; i + 1 < count; i += 2) {
     if (std::strcmp(arguments[i], "--store") == 0) options.store = arguments[i + 1];

@@ -18,10 +18,9 @@ Outcome import(v1::Scene message, AssetNames names, int of_objects, const Worker
   result.objects_key = objects_key(message, *compiled, {names.begin(), names.begin() + of_objects});
   result.scene = std::make_unique<RenderScene>(std::move(*compiled));
   result.space.place(*result.scene);
-  if (!options.gl) {
-    result.geometry = cpu::EmbreeScene::build(*result.scene, cancelled);
-    if (!result.geometry) return tl::unexpected(std::vector<Problem>());
-  }
+  result.renderer =
+      options.backend->make_renderer(*result.scene, geometry_key(result.objects_key, result.space));
+  if (!result.renderer->prepare(cancelled)) return tl::unexpected(std::vector<Problem>());
   result.message = std::move(message);
   result.names = std::move(names);
   return result;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "common/problem.h"
-#include "server/cpu/embree_scene.h"
+#include "server/render/renderer.h"
 #include "server/scene/camera_space.h"
 #include "server/worker/assets.h"
 #include "server/worker/job.h"
@@ -22,7 +22,7 @@ struct ImportedScene {
   std::unique_ptr<RenderScene> scene;  ///< In camera space.
   CameraSpace space;
   std::string objects_key;
-  std::optional<cpu::EmbreeScene> geometry;  ///< Of a CPU worker.
+  std::unique_ptr<Renderer> renderer;  ///< Of that scene; prepared.
 };
 
 /// Compiles a scene on a thread of its own: meshes may take long, and others want the lane's.

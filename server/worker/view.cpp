@@ -5,7 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "server/gl/context.h"
 #include "server/plan/plan.h"
 #include "server/worker/problems.h"
 #include "server/worker/view_turns.h"
@@ -23,6 +22,9 @@ constexpr double coarse_above = 1.0 / 30;  // s
 constexpr std::uint32_t coarse_pixels = 4;
 /// A band with all around it is a frame of a worker's message.
 constexpr std::size_t band_bytes = 240u << 10;
+/// A turn ends by its time, and by nothing else.
+const std::atomic<bool> no_end = false;
+
 /// The pattern's samples so that each frame is about as well off as the next: the pattern's own
 /// order goes from one side of the pixel to the other.
 std::vector<SamplePoint> spread(const std::vector<SamplePoint>& pattern) {
@@ -60,7 +62,7 @@ bool View::open(const v1::OpenView& message) {
 bool View::turn() {
   if (scene_.is_importing()) return adopt();
   // The first frame of a revision is drawn to its end, or a stream of updates would show nothing.
-  const bool first = next_part_ > 0 && drawn_ == 0;
+  const bool first = under_way_ && drawn_ == 0;
   if (update_ && !first && !change(*std::exchange(update_, std::nullopt))) return false;
   return scene_.is_importing() || !has_frame() || draw();
 }
@@ -73,7 +75,6 @@ bool View::adopt() {
     send_closed(v1::Failed::BAD_INPUT, "the scene has problems", imported.error());
     return false;
   }
-  picture_.reset();  // before the scene that it refers to
   scene_.adopt(std::move(*imported));
   revision_ = asked_revision_;
   return prepare();
@@ -97,10 +98,9 @@ bool View::change(const v1::UpdateView& message) {
 bool View::prepare() {
   plan_ = make_plan(scene_.scene(), scene_.settings(), {.threads = options_.threads});
   auto method = make_method(plan_, scene_.scene());
-  Result<void> done = picture_ ? Result<void>() : make_picture();
   auto developer = Developer::make(plan_);
-  if (!developer && done) done = tl::unexpected(developer.error());
-  if (done) done = picture_->change(plan_, *method);
+  const Result<void> done = developer ? scene_.renderer().change(plan_, *method, no_end)
+                                      : tl::unexpected(developer.error());
   if (!done) {
     send_closed(v1::Failed::SERVER, done.error().message);
     return false;
@@ -114,20 +114,9 @@ bool View::prepare() {
   return true;
 }
 
-Result<void> View::make_picture() {
-  if (!options_.gl) {
-    picture_ = cpu_picture(scene_.scene(), scene_.take_geometry());
-    return {};
-  }
-  auto made = gl_picture(scene_.scene(), scene_.key(), *options_.gl);
-  if (!made) return tl::unexpected(made.error());
-  picture_ = std::move(*made);
-  return {};
-}
-
 void View::begin_anew() {
   drawn_ = 0;
-  next_part_ = 0;
+  under_way_ = false;
   frame_seconds_ = 0;
   coarse_ = sample_seconds_ > coarse_above;
 }
@@ -138,16 +127,22 @@ bool View::draw() {
   const std::uint32_t part = coarse_ ? coarse_pixels : 1;
   const std::uint32_t width = (plan_.width() + part - 1) / part;
   const std::uint32_t height = (plan_.height() + part - 1) / part;
-  std::vector<float>& to = drawn_ == 0 ? sum_ : sample_;
-  to.resize(std::size_t{width} * height * 3);
-  const auto sample = std::span(pattern_).subspan(drawn_, 1);
-  const auto whole =
-      picture_->draw({to.data(), width, height}, sample, start + turn_time, next_part_, work_);
+  if (!std::exchange(under_way_, true)) {
+    std::vector<float>& to = drawn_ == 0 ? sum_ : sample_;
+    to.resize(std::size_t{width} * height * 3);
+    scene_.renderer().begin({.film = {to.data(), width, height},
+                             .samples = {pattern_[drawn_]},
+                             .tiles = {},
+                             .tile_done = {},
+                             .keep_factors = false});
+  }
+  const auto is_over = [&] { return Clock::now() >= start + turn_time; };
+  const auto whole = scene_.renderer().draw({no_end, is_over, work_});
   ++work_;
   if (!whole) {
     send_closed(v1::Failed::SERVER, whole.error().message);
-    // The next one gets a new worker, with a new context.
-    if (options_.gl && !gl::check_context()) std::_Exit(1);
+    // The next one gets a new worker, with a new device.
+    if (!options_.backend->is_sound()) std::_Exit(1);
     return false;
   }
   frame_seconds_ += seconds_since(start);
@@ -159,7 +154,7 @@ bool View::draw() {
   coarse_ = false;
   --credits_;
   send_frame(width, height);
-  next_part_ = 0;
+  under_way_ = false;
   frame_seconds_ = 0;
   return true;
 }

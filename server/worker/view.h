@@ -12,7 +12,6 @@
 #include "server/film/sample_pattern.h"
 #include "server/methods/method.h"
 #include "server/worker/job.h"
-#include "server/worker/view_picture.h"
 #include "server/worker/view_scene.h"
 
 namespace metamer::worker {
@@ -54,7 +53,6 @@ class View {
   bool change(const v1::UpdateView& message);
   bool adopt();
   bool prepare();
-  Result<void> make_picture();
   void begin_anew();
   bool draw();
   void send_frame(std::uint32_t width, std::uint32_t height);
@@ -71,7 +69,6 @@ class View {
   ViewScene scene_;
   v1::Plan plan_;
   std::unique_ptr<Method> method_;  ///< Null: not yet open.
-  std::unique_ptr<ViewPicture> picture_;
   std::optional<Developer> developer_;
 
   std::uint64_t revision_ = 0;
@@ -83,8 +80,8 @@ class View {
   std::size_t drawn_ = 0;             ///< Samples of it.
   bool coarse_ = false;               ///< A coarse frame comes next.
   double sample_seconds_ = 1;         ///< What one sample of each pixel took last.
-  std::uint32_t next_part_ = 0;       ///< Of the frame that is being drawn.
-  double frame_seconds_ = 0;          ///< That went into it.
+  bool under_way_ = false;            ///< A frame is being drawn;
+  double frame_seconds_ = 0;          ///< so much went into it.
   std::vector<float> sum_, sample_;   ///< X Y Z of all pixels.
   std::vector<std::uint8_t> rgb_;
 };

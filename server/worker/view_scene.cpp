@@ -15,9 +15,9 @@ namespace {
 constexpr double far_away = 16;
 
 /// The settings of a view are those of a scene but for what makes no sense in one.
-v1::Settings view_settings(const v1::Settings& from, bool gl) {
+v1::Settings view_settings(const v1::Settings& from, const Backend& backend) {
   v1::Settings settings = with_defaults(from);
-  settings.set_backend(gl ? v1::GL : v1::CPU);
+  settings.set_backend(backend.id());
   if (settings.method().has_auto_()) settings.mutable_method()->mutable_exact();
   return settings;
 }
@@ -64,7 +64,7 @@ ViewScene::ViewScene(const WorkerOptions& options, std::function<void()> wake)
     : options_(options), wake_(std::move(wake)) {}
 
 ViewScene::Problems ViewScene::open(v1::Scene scene, const AssetNames& names) {
-  *scene.mutable_settings() = view_settings(scene.settings(), options_.gl);
+  *scene.mutable_settings() = view_settings(scene.settings(), *options_.backend);
   if (!fits(scene.settings())) return {too_large()};
   opened_with_ = names.size();
   begin_import(std::move(scene), names);
@@ -77,7 +77,7 @@ tl::expected<ViewScene::Change, ViewScene::Problems> ViewScene::change(
   v1::Scene scene = now_.message;
   if (update.has_camera()) *scene.mutable_camera() = update.camera();
   if (update.has_settings())
-    *scene.mutable_settings() = view_settings(update.settings(), options_.gl);
+    *scene.mutable_settings() = view_settings(update.settings(), *options_.backend);
   replace(update.light(), "light", *scene.mutable_light(), problems);
   replace(update.material(), "material", *scene.mutable_material(), problems);
   AssetNames names = now_.names;

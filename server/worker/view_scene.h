@@ -34,15 +34,13 @@ class ViewScene {
   void cancel_import() { import_->cancel(); }
   /// Once it is imported: what to adopt(), or what is wrong; the scene is as before.
   tl::expected<ImportedScene, Problems> end_import();
-  /// The scene before ends as a whole, its geometry before what that refers to.
+  /// The scene before ends as a whole, its renderer before what that refers to.
   void adopt(ImportedScene imported) { std::swap(now_, imported); }
 
   const v1::Settings& settings() const { return now_.message.settings(); }
   const RenderScene& scene() const { return *now_.scene; }
-  /// All that uploaded geometry depends on.
-  std::string key() const { return geometry_key(now_.objects_key, now_.space); }
-  /// Once after each adopt(), of a CPU worker.
-  cpu::EmbreeScene take_geometry() { return *std::exchange(now_.geometry, std::nullopt); }
+  /// Draws it; until another one is adopted.
+  Renderer& renderer() { return *now_.renderer; }
 
  private:
   void begin_import(v1::Scene scene, AssetNames names);

@@ -27,11 +27,11 @@ class ReferenceSink : public PixelSink {
   std::vector<Lab>& to_;
 };
 
-void trace_all(const PilotScene& pilot, PixelSink& sink) {
+void trace_all(const PilotScene& pilot, const cpu::EmbreeScene& geometry, PixelSink& sink) {
   v1::Method method;
   method.mutable_rgb();
   const v1::Plan plan = plan_with(pilot, method);
-  const cpu::Tracer tracer(pilot.scene, pilot.geometry, plan);
+  const cpu::Tracer tracer(pilot.scene, geometry, plan);
   auto workspace = tracer.make_workspace();
   tracer.render({0, 0, plan.width(), plan.height()}, sink, workspace, pilot.stopped, pilot.work);
 }
@@ -41,11 +41,13 @@ void trace_all(const PilotScene& pilot, PixelSink& sink) {
 MeasuredScene::MeasuredScene(const VariedScene& scene)
     : scene_(to_camera_space(test::compile_text(scene.text))),
       settings_(with_defaults(test::parse_scene(scene.text).settings())),
-      geometry_(*cpu::EmbreeScene::build(scene_, never_)) {
+      geometry_(std::make_shared<cpu::Geometry>(scene_, 1)),
+      probe_(geometry_) {
+  probe_.prepare(never_);
   Reference reference(scene_, to_observer(settings_.observer()));
   white_ = reference.white();
   ReferenceSink sink(reference, settings_, truth_);
-  trace_all(pilot(), sink);
+  trace_all(pilot(), geometry_->embree(), sink);
 }
 
 MeasuredScene::Rendered MeasuredScene::render(const v1::Method& method) {
@@ -54,7 +56,7 @@ MeasuredScene::Rendered MeasuredScene::render(const v1::Method& method) {
   const auto start = std::chrono::steady_clock::now();
   const auto prepared = make_method(plan_with(pilot(), method), scene_);
   FilmSink sink(*prepared, film, settings_.spp());
-  trace_all(pilot(), sink);
+  trace_all(pilot(), geometry_->embree(), sink);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::vector<double> errors;

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <vector>
 
+#include "server/cpu/probe.h"
 #include "server/render/choose.h"
 #include "tests/promises/varied_scenes.h"
 
@@ -13,7 +14,7 @@ class MeasuredScene {
  public:
   explicit MeasuredScene(const VariedScene& scene);
 
-  PilotScene pilot() { return {scene_, geometry_, settings_, capabilities_, never_, work_}; }
+  PilotScene pilot() { return {scene_, probe_, settings_, capabilities_, never_, work_}; }
 
   /// The whole picture by a method.
   struct Rendered {
@@ -28,7 +29,8 @@ class MeasuredScene {
   std::atomic<std::uint64_t> work_ = 0;
   RenderScene scene_;
   v1::Settings settings_;
-  cpu::EmbreeScene geometry_;
+  std::shared_ptr<cpu::Geometry> geometry_;
+  cpu::TracingProbe probe_;
   Xyz white_;
   std::vector<Lab> truth_;
 };

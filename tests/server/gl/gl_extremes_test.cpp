@@ -11,7 +11,7 @@
 #include "common/scene/settings.h"
 #include "server/cpu/tracer.h"
 #include "server/gl/device.h"
-#include "server/gl/passes.h"
+#include "server/gl/renderer.h"
 #include "server/plan/plan.h"
 #include "server/scene/camera_space.h"
 #include "tests/server/test_scene.h"
@@ -44,18 +44,26 @@ class GlExtremes : public ::testing::Test {
                 region.value_or(Rect{0, 0, plan.width(), plan.height()}));
     return xyz;
   }
+  static Result<bool> draw(Renderer& renderer, const Film& film, unsigned spp, const Rect& region) {
+    std::atomic<std::uint64_t> work = 0;
+    renderer.begin({.film = film,
+                    .samples = sample_pattern(spp),
+                    .tiles = {region},
+                    .tile_done = {},
+                    .keep_factors = false});
+    return renderer.draw({no_stop, [] { return false; }, work});
+  }
   static void render_into(const Film& film, const RenderScene& scene, const std::string& text,
                           const Rect& region) {
     const v1::Plan plan =
         make_plan(scene, with_defaults(test::parse_scene(text).settings()), {.threads = 1});
     const auto method = make_method(plan, scene);
-    const auto geometry = device_->geometry(text, scene, no_stop);
-    ASSERT_TRUE(geometry) << geometry.error().message;
-    auto renderer = Passes::create(scene, **geometry, plan, *method, device_->programs(), false);
-    ASSERT_TRUE(renderer) << renderer.error().message;
-    std::atomic<std::uint64_t> work = 0;
-    const auto done = renderer->render(region, film, sample_pattern(plan.spp()), no_stop, work);
-    EXPECT_TRUE(done) << done.error().message;
+    const auto renderer = make_backend(*device_, 1)->make_renderer(scene, text);
+    const auto changed = renderer->change(plan, *method, no_stop);
+    ASSERT_TRUE(changed) << changed.error().message;
+    const auto whole = draw(*renderer, film, plan.spp(), region);
+    ASSERT_TRUE(whole) << whole.error().message;
+    EXPECT_TRUE(*whole);
   }
 
   /// As far as the CPU's picture goes, per value; both without mirrors.
@@ -249,21 +257,19 @@ TEST_F(GlExtremes, AContextThatGoesAwayUnderARendererIsAMessage) {
   const v1::Plan plan =
       make_plan(own, with_defaults(test::parse_scene(text).settings()), {.threads = 1});
   const auto method = make_method(plan, own);
-  const auto geometry = device_->geometry(text, own, no_stop);
-  auto renderer = Passes::create(own, **geometry, plan, *method, device_->programs(), false);
-  ASSERT_TRUE(renderer);
+  const auto backend = make_backend(*device_, 1);
+  const auto renderer = backend->make_renderer(own, text);
+  ASSERT_TRUE(renderer->change(plan, *method, no_stop));
   std::vector<float> xyz(16 * 8 * 3);
-  std::atomic<std::uint64_t> work = 0;
-  const auto draw = [&] {
-    return renderer->render({0, 0, 16, 8}, {xyz.data(), 16, 8}, sample_pattern(2), no_stop, work);
-  };
-  ASSERT_TRUE(draw());
+  const auto draw_all = [&] { return draw(*renderer, {xyz.data(), 16, 8}, 2, {0, 0, 16, 8}); };
+  ASSERT_TRUE(draw_all());
   device_->context().release();
-  const auto lost = draw();
+  const auto lost = draw_all();
+  EXPECT_FALSE(backend->is_sound());
   ASSERT_FALSE(lost);
   EXPECT_EQ(lost.error().message, "the GL context is gone");
   ASSERT_TRUE(device_->context().make_current());
-  EXPECT_TRUE(draw());
+  EXPECT_TRUE(draw_all());
 }
 
 /// A floor of so many squares a side, a little hilly.

@@ -119,9 +119,12 @@ Result<Pictures::Xyz> Pictures::by_gl(const v1::Method& method, ProgramCache& ca
   auto renderer = Passes::create(scene_, *geometry, own, *prepared, cache, false);
   if (!renderer) return tl::unexpected(renderer.error());
   Xyz xyz(std::size_t{width()} * height() * 3);
-  std::atomic<std::uint64_t> work = 0;
-  const auto done = renderer->render({0, 0, width(), height()}, {xyz.data(), width(), height()},
-                                     sample_pattern(settings_.spp()), never, work);
+  const Film film{xyz.data(), width(), height()};
+  const std::vector<SamplePoint> samples = sample_pattern(settings_.spp());
+  Result<void> done = renderer->begin({0, 0, width(), height()}, film);
+  for (const SamplePoint sample : samples)
+    if (done) done = renderer->add(sample, never);
+  if (done) done = renderer->finish(film, samples.size(), never);
   if (!done) return tl::unexpected(done.error());
   return xyz;
 }

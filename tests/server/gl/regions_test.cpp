@@ -8,35 +8,31 @@ namespace metamer::gl {
 namespace {
 
 /// The tiles of a picture, the last row first.
-v1::RenderTiles tiles(std::uint32_t width, std::uint32_t height, std::uint32_t size) {
-  v1::RenderTiles message;
+std::vector<Rect> tiles(std::uint32_t width, std::uint32_t height, std::uint32_t size) {
+  std::vector<Rect> all;
   for (std::uint32_t row = (height + size - 1) / size; row-- > 0;)
-    for (std::uint32_t x = 0; x < width; x += size) {
-      v1::TileRect& tile = *message.add_tile();
-      tile.set_x(x);
-      tile.set_y(row * size);
-      tile.set_width(std::min(size, width - x));
-      tile.set_height(std::min(size, height - row * size));
-    }
-  return message;
+    for (std::uint32_t x = 0; x < width; x += size)
+      all.push_back(
+          {x, row * size, std::min(size, width - x), std::min(size, height - row * size)});
+  return all;
 }
 
 TEST(Regions, HoldEachTileOnceAndAreNoLargerThanTheirSide) {
   for (const std::uint32_t size : {8u, 16u, 24u, 256u}) {
-    const v1::RenderTiles message = tiles(1000, 300, size);
+    const std::vector<Rect> all = tiles(1000, 300, size);
     std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
-    for (const Region& region : regions_of(message, 256)) {
+    for (const Region& region : regions_of(all, 256)) {
       EXPECT_LE(region.rect.width, 256u);
       EXPECT_LE(region.rect.height, 256u);
-      for (const v1::TileRect& tile : region.tiles) {
-        EXPECT_TRUE(seen.emplace(tile.x(), tile.y()).second);
-        EXPECT_GE(tile.x(), region.rect.x);
-        EXPECT_GE(tile.y(), region.rect.y);
-        EXPECT_LE(tile.x() + tile.width(), region.rect.x + region.rect.width);
-        EXPECT_LE(tile.y() + tile.height(), region.rect.y + region.rect.height);
+      for (const Rect& tile : region.tiles) {
+        EXPECT_TRUE(seen.emplace(tile.x, tile.y).second);
+        EXPECT_GE(tile.x, region.rect.x);
+        EXPECT_GE(tile.y, region.rect.y);
+        EXPECT_LE(tile.x + tile.width, region.rect.x + region.rect.width);
+        EXPECT_LE(tile.y + tile.height, region.rect.y + region.rect.height);
       }
     }
-    EXPECT_EQ(seen.size(), static_cast<std::size_t>(message.tile_size()));
+    EXPECT_EQ(seen.size(), all.size());
   }
 }
 

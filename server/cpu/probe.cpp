@@ -1,0 +1,64 @@
+#include "server/cpu/probe.h"
+
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "server/cpu/tracer.h"
+
+namespace metamer::cpu {
+namespace {
+
+double fraction(double value) { return value - std::floor(value); }
+
+}  // namespace
+
+bool Geometry::prepare(const std::atomic<bool>& cancelled) {
+  if (embree_) return true;
+  tbb::task_arena arena(static_cast<int>(threads_));
+  arena.execute([&] { embree_ = EmbreeScene::build(scene_, cancelled); });
+  return embree_.has_value();
+}
+
+TracedPixels TracingProbe::trace(const v1::Plan& plan, PixelRun run,
+                                 const std::atomic<bool>& stopped,
+                                 std::atomic<std::uint64_t>& work) const {
+  using Clock = std::chrono::steady_clock;
+  const Tracer tracer(geometry_->scene(), geometry_->embree(), plan);
+  auto workspace = tracer.make_workspace();
+  TracedPixels pixels;
+  const auto start = Clock::now();
+  const std::uint32_t block = tracer.block_width() * tracer.block_height();
+  for (std::uint32_t k = run.first; k < run.first + run.count && !stopped; k += block) {
+    // Find the block of the place.
+    const auto place = [k](double alpha, std::uint32_t size, std::uint32_t block) {
+      const auto at = static_cast<std::uint32_t>(fraction(0.5 + (k + 1) * alpha) * size);
+      return std::min(at, size - 1) / block * block;
+    };
+    const std::uint32_t x = place(0.7548776662466927, plan.width(), tracer.block_width());
+    const std::uint32_t y = place(0.5698402909980532, plan.height(), tracer.block_height());
+    tracer.gather_block(x, y, workspace);
+
+    for (std::uint32_t i = 0; i < workspace.gathers.size(); ++i)
+      if (x + i % tracer.block_width() < plan.width() &&
+          y + i / tracer.block_width() < plan.height())
+        pixels.gathers.push_back(workspace.gathers[i]);
+    ++work;
+  }
+  pixels.seconds = std::chrono::duration<double>(Clock::now() - start).count() /
+                   static_cast<double>(std::max<std::size_t>(1, pixels.gathers.size()));
+  return pixels;
+}
+
+double TracingProbe::least_seconds(const v1::Plan& plan, double pixel_seconds) const {
+  return pixel_seconds * plan.width() * plan.height() / std::max(1u, plan.threads());
+}
+
+double TracingProbe::picture_seconds(const v1::Plan& plan, const Method&, double pixel_seconds,
+                                     const std::atomic<bool>&, std::atomic<std::uint64_t>&) {
+  return least_seconds(plan, pixel_seconds);
+}
+
+}  // namespace metamer::cpu

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <memory>
+
+#include "server/render/renderer.h"
+
+namespace metamer::cpu {
+
+/// The ray tracer, on so many threads at the most.
+std::unique_ptr<Backend> make_backend(unsigned threads);
+
+}  // namespace metamer::cpu

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <memory>
+
+#include "server/gl/device.h"
+#include "server/render/renderer.h"
+
+namespace metamer::gl {
+
+/// Rasteriser and compute shaders of this device, which must outlive it. Probes trace on so many
+/// threads of the CPU.
+std::unique_ptr<Backend> make_backend(Device& device, unsigned threads);
+
+}  // namespace metamer::gl

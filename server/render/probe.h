@@ -1,0 +1,50 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "metamer/v1/plan.pb.h"
+#include "server/methods/method.h"
+#include "server/transport/gather.h"
+
+namespace metamer {
+
+/// A run of the places of a sequence that fills the picture evenly (M. Roberts' R2, the plastic
+/// number's powers): runs that do not overlap are of different pixels, but for chance.
+struct PixelRun {
+  std::uint32_t first, count;
+};
+
+/// Pixels before any spectrum: sums over the samples of each.
+struct TracedPixels {
+  std::vector<Gather> gathers;
+  double seconds = 0;  ///< A pixel, on one thread of the CPU.
+};
+
+/// A scene by one backend, for the choice of a method: what some of its pixels receive, and what a
+/// picture would cost. Belongs to one thread.
+class Probe {
+ public:
+  virtual ~Probe() = default;
+
+  /// Builds what trace() needs, the first time; as Renderer::prepare.
+  virtual bool prepare(const std::atomic<bool>& cancelled) = 0;
+
+  /// The pixels of the run, by the CPU's tracer; with few samples also those that share a packet
+  /// with them. Stops early, with what it has, once `stopped`; `work` counts pixels.
+  virtual TracedPixels trace(const v1::Plan& plan, PixelRun run, const std::atomic<bool>& stopped,
+                             std::atomic<std::uint64_t>& work) const = 0;
+
+  /// Seconds that the plan's picture takes by any method, where one thread of the CPU traces a
+  /// pixel in `pixel_seconds`: no more than it is known to be.
+  virtual double least_seconds(const v1::Plan& plan, double pixel_seconds) const = 0;
+
+  /// Seconds that the plan's picture takes by this method, where one thread of the CPU makes a
+  /// pixel by it in `pixel_seconds`. Infinite where it can't be drawn.
+  virtual double picture_seconds(const v1::Plan& plan, const Method& method, double pixel_seconds,
+                                 const std::atomic<bool>& stopped,
+                                 std::atomic<std::uint64_t>& work) = 0;
+};
+
+}  // namespace metamer

@@ -1,0 +1,181 @@
+#include "server/worker/job.h"
+
+#include <sys/mman.h>
+
+#include <thread>
+
+#include "tests/server/worker/worker_fixture.h"
+
+namespace metamer::worker {
+namespace {
+
+/// Views that want a turn as often as they are told to.
+class FakeTurns : public ViewTurns {
+ public:
+  bool waiting() const override { return waiting_; }
+  void serve() override { ++served_; }
+  void serve_while(const std::function<void()>& work) override { work(); }
+
+  std::atomic<bool> waiting_ = false;
+  int served_ = 0;
+};
+
+using Names = std::vector<std::string>;
+
+class WorkerJob : public WorkerTest {
+ protected:
+  v1::CompileJob compile_message(const std::string& scene_text) const {
+    v1::CompileJob message;
+    message.set_scene_sha256(store_scene(scene_text));
+    return message;
+  }
+  /// The picture of 32 by 16 pixels in two tiles.
+  static v1::RenderTiles both_tiles() {
+    v1::RenderTiles message;
+    for (const std::uint32_t x : {16u, 0u}) {
+      v1::TileRect& tile = *message.add_tile();
+      tile.set_x(x);
+      tile.set_width(16);
+      tile.set_height(16);
+    }
+    return message;
+  }
+  static constexpr const char* settings = "width: 32 height: 16 spp: 4";
+
+  FakeTurns turns_;
+  Job job_{5, options_, link_, work_, turns_};
+};
+
+TEST_F(WorkerJob, SendsItsPlanThenEachTileInTheOrderAskedForThenDone) {
+  job_.compile(compile_message(ball_scene(settings)));
+  const auto planned = sent();
+  ASSERT_EQ(planned.size(), 1u);
+  EXPECT_EQ(planned[0].job_id(), 5u);
+  EXPECT_EQ(planned[0].planned().plan().width(), 32u);
+  EXPECT_FALSE(job_.ended());
+
+  job_.render(both_tiles());
+  const auto messages = sent();
+  ASSERT_EQ(messages.size(), 3u);
+  EXPECT_EQ(messages[0].tile_done().tile().x(), 16u);
+  EXPECT_EQ(messages[1].tile_done().tile().x(), 0u);
+  EXPECT_EQ(messages[1].tile_done().rays(), 7u);
+  EXPECT_EQ(messages[2].done().timing().models(), 0.25);
+  EXPECT_TRUE(job_.ended());
+  EXPECT_EQ(backend_.seen.samples.size(), 4u);
+
+  const void* memory =
+      mmap(nullptr, 64 * 64 * 12, PROT_READ, MAP_SHARED, options_.film_descriptor, 0);
+  const float* xyz = static_cast<const float*>(memory);
+  EXPECT_EQ(xyz[(3 * 32 + 20) * 3], 20);
+  EXPECT_EQ(xyz[(3 * 32 + 20) * 3 + 1], 3);
+}
+
+TEST_F(WorkerJob, PreparesOnceHoweverOftenItIsAskedForTiles) {
+  job_.compile(compile_message(ball_scene(settings)));
+  job_.render(both_tiles());
+  job_.render(both_tiles());
+  EXPECT_EQ(sent_names(),
+            (Names{"planned", "tile_done", "tile_done", "done", "tile_done", "tile_done", "done"}));
+  EXPECT_EQ(backend_.seen.renderers, 1);
+  EXPECT_EQ(backend_.seen.prepared, 1);
+  EXPECT_EQ(backend_.seen.changes, 1);
+  EXPECT_EQ(backend_.seen.pictures, 2);
+}
+
+TEST_F(WorkerJob, DrawsNothingWhereNoTilesAreMissing) {
+  job_.compile(compile_message(ball_scene(settings)));
+  job_.render({});
+  EXPECT_EQ(sent_names(), (Names{"planned", "done"}));
+  EXPECT_EQ(backend_.seen.pictures, 0);
+}
+
+TEST_F(WorkerJob, SaysWhatIsWrongWithAScene) {
+  job_.compile(
+      compile_message(ball_scene(settings, "object { name: 'ball' sphere { radius: 1 } }")));
+  const auto messages = sent();
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_EQ(messages[0].failed().kind(), v1::Failed::BAD_INPUT);
+  ASSERT_GT(messages[0].failed().problem_size(), 0);
+  EXPECT_NE(messages[0].failed().problem(0).field().find("object[1]"), std::string::npos);
+  EXPECT_TRUE(job_.ended());
+}
+
+TEST_F(WorkerJob, TellsASceneFromOtherBytes) {
+  v1::CompileJob message;
+  message.set_scene_sha256(store("no scene\xff"));
+  job_.compile(message);
+  message.set_scene_sha256("not in the store");
+  Job(6, options_, link_, work_, turns_).compile(message);
+  for (const v1::WorkerEnvelope& answer : sent())
+    EXPECT_EQ(answer.failed().reason(), "the scene's bytes are no scene");
+}
+
+TEST_F(WorkerJob, RefusesTilesOutsideItsPlan) {
+  job_.compile(compile_message(ball_scene(settings)));
+  v1::RenderTiles message = both_tiles();
+  message.mutable_tile(0)->set_width(17);
+  job_.render(message);
+  const auto messages = sent();
+  EXPECT_EQ(messages.back().failed().kind(), v1::Failed::SERVER);
+  EXPECT_EQ(backend_.seen.pictures, 0);
+}
+
+TEST_F(WorkerJob, StopsInTheMiddleOfAPicture) {
+  job_.compile(compile_message(ball_scene(settings)));
+  backend_.before_tile = [&] {
+    if (work_ > 0) job_.stop();
+  };
+  work_ = 0;
+  job_.render(both_tiles());
+  EXPECT_EQ(sent_names(), (Names{"planned", "tile_done", "stopped"}));
+}
+
+TEST_F(WorkerJob, AStoppedJobIsNotPlanned) {
+  job_.stop();
+  job_.compile(compile_message(ball_scene(settings)));
+  EXPECT_EQ(sent_names(), (Names{"stopped"}));
+}
+
+TEST_F(WorkerJob, GivesViewsTheirTurnsOnceATurnHasPassed) {
+  job_.compile(compile_message(ball_scene(settings)));
+  job_.render(both_tiles());
+  EXPECT_EQ(turns_.served_, 0);
+  EXPECT_EQ(backend_.seen.draws, 1);
+
+  turns_.waiting_ = true;
+  backend_.before_tile = [] { std::this_thread::sleep_for(turn_time * 1.5); };
+  job_.render(both_tiles());
+  EXPECT_EQ(turns_.served_, 1);  // between its two tiles
+  EXPECT_EQ(backend_.seen.draws, 3);
+}
+
+TEST_F(WorkerJob, ARendererThatFailsFailsTheJobWithItsReason) {
+  job_.compile(compile_message(ball_scene(settings)));
+  backend_.draw_problem = "the device is on fire";
+  job_.render(both_tiles());
+  backend_.draw_problem.clear();
+  backend_.change_problem = "no memory";
+  Job other(6, options_, link_, work_, turns_);
+  other.compile(compile_message(ball_scene(settings)));
+  other.render(both_tiles());
+  std::vector<std::string> reasons;
+  for (const v1::WorkerEnvelope& message : sent())
+    if (message.has_failed()) {
+      EXPECT_EQ(message.failed().kind(), v1::Failed::SERVER);
+      reasons.push_back(message.failed().reason());
+    }
+  EXPECT_EQ(reasons, (Names{"the device is on fire", "no memory"}));
+}
+
+TEST_F(WorkerJob, SendsATilesFactorsBeforeTheTile) {
+  v1::CompileJob message = compile_message(ball_scene(settings));
+  message.set_keep_factors(true);
+  job_.compile(message);
+  job_.render(both_tiles());
+  EXPECT_EQ(sent_names(), (Names{"factors_piece", "planned", "factors_piece", "tile_done",
+                                 "factors_piece", "tile_done", "done"}));
+}
+
+}  // namespace
+}  // namespace metamer::worker
