@@ -112,7 +112,9 @@ class RayTracing : public Backend {
   explicit RayTracing(unsigned threads) : threads_(threads) {}
 
   v1::Backend id() const override { return v1::CPU; }
-  void describe(v1::Capabilities& to) const override { to.add_backend("cpu"); }
+  std::string name() const override { return "cpu"; }
+  Features features() const override { return cpu::features; }
+  void describe(v1::Capabilities&) const override {}
   Result<void> enter() override { return {}; }
   bool is_sound() const override { return true; }
   std::unique_ptr<Renderer> make_renderer(const RenderScene& scene,

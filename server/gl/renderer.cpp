@@ -182,10 +182,9 @@ class Rasterising : public Backend {
   Rasterising(Device& device, unsigned threads) : device_(device), threads_(threads) {}
 
   v1::Backend id() const override { return v1::GL; }
-  void describe(v1::Capabilities& to) const override {
-    to.add_backend("gl");
-    *to.mutable_gl() = device_.capabilities();
-  }
+  std::string name() const override { return "gl"; }
+  Features features() const override { return gl::features; }
+  void describe(v1::Capabilities& to) const override { *to.mutable_gl() = device_.capabilities(); }
   Result<void> enter() override { return device_.context().make_current(); }
   bool is_sound() const override { return check_context().has_value(); }
   std::unique_ptr<Renderer> make_renderer(const RenderScene& scene,

@@ -11,4 +11,7 @@ namespace metamer::gl {
 /// threads of the CPU.
 std::unique_ptr<Backend> make_backend(Device& device, unsigned threads);
 
+/// What they have.
+inline constexpr Features features = Features::all().without({Feature::mirrors, Feature::factors});
+
 }  // namespace metamer::gl

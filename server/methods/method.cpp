@@ -35,6 +35,21 @@ std::unique_ptr<Method> make_method(const v1::Plan& plan, const RenderScene& sce
   return nullptr;
 }
 
+Features method_features(const v1::Method& method) {
+  switch (method.method_case()) {
+    case v1::Method::kPoint:
+    case v1::Method::kRgb:
+    case v1::Method::kExact:
+    case v1::Method::kLinear:
+    case v1::Method::kPrefilter:
+    case v1::Method::kAuto:  // one of them
+      return Features::all();
+    case v1::Method::METHOD_NOT_SET:
+      break;
+  }
+  return {};
+}
+
 Wavelengths method_wavelengths(const v1::Method& method) {
   switch (method.method_case()) {
     case v1::Method::kPoint:

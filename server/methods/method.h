@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "common/scene/features.h"
 #include "common/spectral/wavelengths.h"
 #include "metamer/v1/plan.pb.h"
 #include "server/methods/direct_tables.h"
@@ -33,6 +34,9 @@ class Method {
 };
 
 std::unique_ptr<Method> make_method(const v1::Plan& plan, const RenderScene& scene);
+
+/// What a method has of what a scene may need.
+Features method_features(const v1::Method& method);
 
 /// The wavelengths at which a method reads the spectra, its defaults filled in; where it is made
 /// for the scene, those at which it learns.

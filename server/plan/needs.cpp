@@ -97,13 +97,13 @@ void need_fresnel(const std::vector<const RenderMaterial*>& materials, v1::Plan&
 }
 
 void need_rays(const RenderScene& scene, const std::vector<const RenderMaterial*>& materials,
-               v1::Plan& plan) {
+               const Capabilities& capabilities, v1::Plan& plan) {
   const auto mirrors = names_of(materials, [](const RenderMaterial& m) { return m.mirror > 0; });
   if (mirrors.empty())
     plan.add_unneeded("mirror rays: no material mirrors");
-  else if (plan.backend() == "gl")
-    plan.add_unneeded("mirror rays: the gl backend has none, although " + named(mirrors) +
-                      " mirrors");
+  else if (!capabilities.features.has(Feature::mirrors))
+    plan.add_unneeded("mirror rays: the " + capabilities.backend + " backend has none, although " +
+                      named(mirrors) + " mirrors");
   else if (plan.depth() == 0)
     plan.add_unneeded("mirror rays: the settings allow none, although " + named(mirrors) +
                       " mirrors");
@@ -128,13 +128,13 @@ void need_rays(const RenderScene& scene, const std::vector<const RenderMaterial*
 
 }  // namespace
 
-void list_needs(const RenderScene& scene, v1::Plan& plan) {
+void list_needs(const RenderScene& scene, const Capabilities& capabilities, v1::Plan& plan) {
   const auto materials = used_materials(scene);
   need_range(scene, plan);
   need_spectra(scene, plan);
   need_models(materials, plan);
   need_fresnel(materials, plan);
-  need_rays(scene, materials, plan);
+  need_rays(scene, materials, capabilities, plan);
   if (materials.size() < scene.materials.size())
     plan.add_unneeded(counted(scene.materials.size() - materials.size(), "material") +
                       ": no object has them");

@@ -6,6 +6,7 @@
 #include "common/color/xyz.h"
 #include "common/scene/settings.h"
 #include "server/methods/method.h"
+#include "server/plan/features.h"
 #include "server/plan/missed_light.h"
 #include "server/plan/needs.h"
 #include "server/plan/plan_method.h"
@@ -13,12 +14,13 @@
 namespace metamer {
 namespace {
 
-/// No path is longer than the mirrors of the scene make it.
-std::uint32_t needed_depth(const RenderScene& scene, std::uint32_t allowed) {
-  const bool mirrors = std::any_of(
-      scene.objects.begin(), scene.objects.end(),
-      [&](const RenderObject& object) { return scene.materials[object.material].mirror > 0; });
-  return mirrors ? allowed : 0;
+/// No path is longer than the mirrors of the scene make it, nor than the backend goes.
+std::uint32_t needed_depth(const std::vector<Need>& needs, std::uint32_t allowed,
+                           const Features& features) {
+  const bool mirrors = std::any_of(needs.begin(), needs.end(), [](const Need& need) {
+    return need.feature == Feature::mirrors;
+  });
+  return mirrors && features.has(Feature::mirrors) ? allowed : 0;
 }
 
 void list_models(const RenderScene& scene, v1::Plan& plan) {
@@ -104,21 +106,6 @@ void notice_objects(const RenderScene& scene, v1::Plan& plan) {
   spheres.say("a sphere has no corners: it is shaded by PHONG", plan);
 }
 
-/// Says what the settings ask of a backend that does not have it.
-void notice_backend(const RenderScene& scene, const v1::Settings& settings, v1::Plan& plan) {
-  if (settings.backend() == v1::GL && settings.depth() > 0) {
-    Group mirrors;
-    for (std::size_t i = 0; i < scene.objects.size(); ++i)
-      if (scene.materials[scene.objects[i].material].mirror > 0) mirrors.add(i);
-    mirrors.say("the gl backend has no mirrors", plan);
-  }
-  if (settings.backend() == v1::CPU && settings.method().point().multi_pass()) {
-    v1::Notice* notice = plan.add_notice();
-    notice->set_field("settings.method.point.multi_pass");
-    notice->set_message("has no effect: the cpu backend has no passes");
-  }
-}
-
 /// Says where uniform wavelengths do not come to the end that was asked for.
 void notice_short_end(const v1::Method& method, const Wavelengths& wavelengths, v1::Plan& plan) {
   const double last = wavelengths.nm().back();
@@ -132,7 +119,24 @@ void notice_short_end(const v1::Method& method, const Wavelengths& wavelengths, 
   notice->set_message(text);
 }
 
+/// Who has to have what the scene needs.
+std::vector<Supported> supporters(const v1::Method& method, const Capabilities& capabilities) {
+  const auto* name = v1::Method::descriptor()->FindFieldByNumber(method.method_case());
+  return {{capabilities.backend + " backend", capabilities.features},
+          {(name ? name->name() : "") + " method", method_features(method)}};
+}
+
 }  // namespace
+
+std::vector<Problem> refusals(const RenderScene& scene, const v1::Settings& settings,
+                              const Capabilities& capabilities, bool keep_factors) {
+  std::vector<Need> needs = features_of(scene, settings);
+  if (keep_factors) needs.push_back(need_of_factors());
+  std::vector<Problem> problems;
+  for (const Supported& supported : supporters(settings.method(), capabilities))
+    for (Problem& one : refuse_unsupported(needs, supported)) problems.push_back(std::move(one));
+  return problems;
+}
 
 v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
                    const Capabilities& capabilities) {
@@ -141,11 +145,11 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
   plan.set_height(settings.height());
   plan.set_tile_size(settings.tile_size());
   plan.set_spp(settings.spp());
-  const bool gl = settings.backend() == v1::GL;
-  plan.set_depth(gl ? 0 : needed_depth(scene, settings.depth()));
+  const std::vector<Need> needs = features_of(scene, settings);
+  plan.set_depth(needed_depth(needs, settings.depth(), capabilities.features));
   plan.set_threads(settings.threads() == 0 ? capabilities.threads
                                            : std::min(settings.threads(), capabilities.threads));
-  plan.set_backend(gl ? "gl" : "cpu");
+  plan.set_backend(capabilities.backend);
   *plan.mutable_method() = settings.method();
   plan.set_observer(settings.observer());
   *plan.mutable_development() = settings.development();
@@ -170,12 +174,13 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
     if (!constants.k.nm.empty() && constants.k.nm != constants.n.nm)
       notice_gaps(constants.k, scene.constants_fields[i], Outside::hold, wavelengths, plan);
   }
-  notice_backend(scene, settings, plan);
+  for (const Supported& supported : supporters(settings.method(), capabilities))
+    notice_unsupported(needs, supported, plan);
   notice_objects(scene, plan);
   notice_short_end(settings.method(), wavelengths, plan);
   notice_missed_light(scene, settings, wavelengths, plan);
   notice_dark_lights(scene, settings, wavelengths, plan);
-  list_needs(scene, plan);
+  list_needs(scene, capabilities, plan);
   return plan;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/problem.h"
+#include "common/scene/features.h"
 #include "metamer/v1/factors.pb.h"
 #include "metamer/v1/plan.pb.h"
 #include "metamer/v1/session.pb.h"
@@ -79,7 +80,9 @@ class Backend {
   virtual ~Backend() = default;
 
   virtual v1::Backend id() const = 0;
-  /// Adds what clients learn of it.
+  virtual std::string name() const = 0;  ///< "cpu", as on the wire.
+  virtual Features features() const = 0;
+  /// Adds what clients learn of its device.
   virtual void describe(v1::Capabilities& to) const = 0;
 
   /// The calling thread is the lane from here on. Errors: the device does not let it.

@@ -2,6 +2,7 @@
 
 #include "common/models/registry.h"
 #include "metamer/v1/scene.pb.h"
+#include "server/methods/method.h"
 
 namespace metamer::worker {
 
@@ -24,14 +25,29 @@ void add(const models::Entry& entry, v1::Capabilities& to) {
   }
 }
 
+void set(const std::string& name, const Features& features, v1::FeatureSet& to) {
+  to.set_name(name);
+  for (std::size_t i = 0; i < feature_names().size(); ++i)
+    if (features.has(static_cast<Feature>(i))) to.add_feature(feature_names()[i]);
+}
+
 }  // namespace
 
-v1::Capabilities capabilities(const WorkerOptions& options) {
+v1::Capabilities capabilities(const WorkerOptions& options,
+                              const std::vector<std::pair<std::string, Features>>& backends) {
   v1::Capabilities result;
+  result.add_backend(options.backend->name());
   options.backend->describe(result);
+  for (const auto& [name, features] : backends) set(name, features, *result.add_backend_features());
   result.set_threads(options.threads);
   const auto* methods = v1::Method::descriptor()->FindOneofByName("method");
-  for (int i = 0; i < methods->field_count(); ++i) result.add_method(methods->field(i)->name());
+  for (int i = 0; i < methods->field_count(); ++i) {
+    const auto* field = methods->field(i);
+    v1::Method method;
+    method.GetReflection()->MutableMessage(&method, field);
+    result.add_method(field->name());
+    set(field->name(), method_features(method), *result.add_method_features());
+  }
   using models::Kind;
   for (const Kind kind : {Kind::model, Kind::diffuse, Kind::slope, Kind::attenuation})
     for (const models::Entry& entry : models::registry(kind)) add(entry, result);

@@ -85,14 +85,15 @@ void Job::compile(const v1::CompileJob& message) {
   renderer_ = options_.backend->make_renderer(*scene_, key);
   probe_ = renderer_->make_probe();
 
+  settings_ = scene.settings();
+  const auto refused =
+      refusals(*scene_, settings_, options_.plan_capabilities(), message.keep_factors());
+  if (!refused.empty()) return send_failure(v1::Failed::BAD_INPUT, refused.front().message);
   keep_factors_ = message.keep_factors();
-  if (keep_factors_ && options_.backend->id() == v1::GL)
-    return send_failure(v1::Failed::BAD_INPUT, "the gl backend keeps no factors for relighting");
   if (keep_factors_)
     keep_factors_ = send_factors(nullptr, scene_factors(*scene_).SerializeAsString());
 
   // Plan, and let the daemon decide.
-  settings_ = scene.settings();
   if (!make_plan(message)) return send_stopped();
   timing_.set_compile(seconds_since(begun_) - timing_.pilot() -
                       (timing_.pilot() > 0 ? timing_.acceleration() : 0));
@@ -104,7 +105,7 @@ void Job::compile(const v1::CompileJob& message) {
 /// Plans, after a look at pilot pixels where the method is to be chosen or explained. False when
 /// stopped.
 bool Job::make_plan(const v1::CompileJob& message) {
-  const Capabilities capabilities{.threads = options_.threads};
+  const Capabilities capabilities = options_.plan_capabilities();
   const bool is_auto = settings_.method().has_auto_();
   const v1::Auto goal = settings_.method().auto_();
   if (message.has_chosen()) *settings_.mutable_method() = message.chosen();
@@ -194,7 +195,7 @@ Result<void> Job::prepare() {
 /// Holds the promise against pixels that had no part in the choice.
 void Job::measure_promise(v1::JobDone& done) {
   const double elapsed = seconds_since(begun_);
-  const Capabilities capabilities{.threads = options_.threads};
+  const Capabilities capabilities = options_.plan_capabilities();
   if (!build([&] { return probe_->prepare(stopped_); })) return;  // stopped
   v1::Accuracy& accuracy = *done.mutable_accuracy();
   *accuracy.mutable_error() =

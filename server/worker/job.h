@@ -11,6 +11,7 @@
 #include "metamer/v1/worker.pb.h"
 #include "server/film/film.h"
 #include "server/methods/method.h"
+#include "server/plan/plan.h"
 #include "server/render/renderer.h"
 #include "server/scene/render_scene.h"
 #include "server/worker/link.h"
@@ -24,6 +25,11 @@ struct WorkerOptions {
   unsigned threads = 0;
   Backend* backend = nullptr;  ///< What it draws by.
   int film_descriptor = -1;    ///< Shared memory, sized by the daemon.
+
+  /// As plans see them.
+  Capabilities plan_capabilities() const {
+    return {.threads = threads, .backend = backend->name(), .features = backend->features()};
+  }
 };
 
 /// Counts pixels and other steps, for the heartbeat.

@@ -66,7 +66,8 @@ int run(metamer::worker::WorkerOptions options, const std::string& gl_device) {
   std::atomic<bool> busy = false;
 
   metamer::v1::WorkerEnvelope ready;
-  *ready.mutable_ready()->mutable_capabilities() = metamer::worker::capabilities(options);
+  *ready.mutable_ready()->mutable_capabilities() = metamer::worker::capabilities(
+      options, {{"cpu", metamer::cpu::features}, {"gl", metamer::gl::features}});
   ready.mutable_ready()->set_sandbox(sandbox);
   if (!link.send(ready)) return 0;
 

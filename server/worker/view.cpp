@@ -96,7 +96,13 @@ bool View::change(const v1::UpdateView& message) {
 
 /// Plans, makes the tables, and begins with the first frame.
 bool View::prepare() {
-  plan_ = make_plan(scene_.scene(), scene_.settings(), {.threads = options_.threads});
+  const Problems refused =
+      refusals(scene_.scene(), scene_.settings(), options_.plan_capabilities(), false);
+  if (!refused.empty()) {
+    send_closed(v1::Failed::BAD_INPUT, refused.front().message, refused);
+    return false;
+  }
+  plan_ = make_plan(scene_.scene(), scene_.settings(), options_.plan_capabilities());
   auto method = make_method(plan_, scene_.scene());
   auto developer = Developer::make(plan_);
   const Result<void> done = developer ? scene_.renderer().change(plan_, *method, no_end)

@@ -17,9 +17,9 @@ std::string scene(const std::string& light, const std::string& material,
          settings + " }";
 }
 
-v1::Plan plan(const std::string& text) {
+v1::Plan plan(const std::string& text, Features features = Features::all()) {
   return make_plan(test::compile_text(text), with_defaults(test::parse_scene(text).settings()),
-                   {.threads = 2});
+                   {.threads = 2, .backend = "gl", .features = features});
 }
 
 TEST(Plan, GoesNoDeeperThanItsMirrors) {
@@ -27,26 +27,29 @@ TEST(Plan, GoesNoDeeperThanItsMirrors) {
   EXPECT_EQ(plan(scene("spectrum { standard: 'E' }", "mirror: 0.1", "depth: 9")).depth(), 9u);
 }
 
-TEST(Plan, SaysWhatTheGlBackendLeavesOut) {
-  const v1::Plan gl = plan(scene("spectrum { standard: 'E' }", "mirror: 0.1", "backend: GL"));
+TEST(Plan, SaysWhatABackendLeavesOut) {
+  const Features no_mirrors = Features::all().without({Feature::mirrors});
+  const v1::Plan gl = plan(scene("spectrum { standard: 'E' }", "mirror: 0.1", ""), no_mirrors);
   EXPECT_EQ(gl.backend(), "gl");
   EXPECT_EQ(gl.depth(), 0u);
   ASSERT_EQ(gl.notice_size(), 1);
   EXPECT_EQ(gl.notice(0).field(), "object[0]");
   EXPECT_EQ(gl.notice(0).message(), "the gl backend has no mirrors");
   // The scene's other material mirrors, and no object is of it.
-  EXPECT_EQ(plan(scene("spectrum { standard: 'E' }", "", "backend: GL")).notice_size(), 0);
-  EXPECT_EQ(plan(scene("spectrum { standard: 'E' }", "mirror: 0.1", "backend: GL depth: 0"))
+  EXPECT_EQ(plan(scene("spectrum { standard: 'E' }", "", ""), no_mirrors).notice_size(), 0);
+  EXPECT_EQ(plan(scene("spectrum { standard: 'E' }", "mirror: 0.1", "depth: 0"), no_mirrors)
                 .notice_size(),
             0);
 }
 
-TEST(Plan, SaysThatTheCpuHasNoPasses) {
+TEST(Plan, SaysThatABackendHasNoPasses) {
   const std::string passes = "method { point { from: 400 to: 700 step: 5 multi_pass: true } } ";
-  const v1::Plan cpu = plan(scene("spectrum { standard: 'E' }", "", passes));
+  const v1::Plan cpu = plan(scene("spectrum { standard: 'E' }", "", passes),
+                            Features::all().without({Feature::multi_pass}));
   ASSERT_EQ(cpu.notice_size(), 1);
+  EXPECT_EQ(cpu.notice(0).message(), "has no effect: the gl backend has no passes");
   EXPECT_EQ(cpu.notice(0).field(), "settings.method.point.multi_pass");
-  EXPECT_EQ(plan(scene("spectrum { standard: 'E' }", "", passes + "backend: GL")).notice_size(), 0);
+  EXPECT_EQ(plan(scene("spectrum { standard: 'E' }", "", passes)).notice_size(), 0);
 }
 
 TEST(Plan, ListsOnlyTheModelsThatObjectsUse) {

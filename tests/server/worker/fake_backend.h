@@ -14,7 +14,9 @@ namespace metamer::worker {
 class FakeBackend : public Backend {
  public:
   v1::Backend id() const override { return v1::CPU; }
-  void describe(v1::Capabilities& to) const override { to.add_backend("fake"); }
+  std::string name() const override { return "fake"; }
+  Features features() const override { return features_; }
+  void describe(v1::Capabilities&) const override {}
   Result<void> enter() override { return {}; }
   bool is_sound() const override { return true; }
   std::unique_ptr<Renderer> make_renderer(const RenderScene& scene,
@@ -23,6 +25,7 @@ class FakeBackend : public Backend {
   // What its renderers do.
   std::string change_problem, draw_problem;  ///< Empty: none.
   std::function<void()> before_tile = [] {};
+  Features features_ = Features::all();
 
   // What its renderers were asked for.
   struct Seen {

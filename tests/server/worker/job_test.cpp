@@ -168,6 +168,17 @@ TEST_F(WorkerJob, ARendererThatFailsFailsTheJobWithItsReason) {
   EXPECT_EQ(reasons, (Names{"the device is on fire", "no memory"}));
 }
 
+TEST_F(WorkerJob, RefusesWhatItsBackendDoesNotHave) {
+  backend_.features_ = Features::all().without({Feature::factors, Feature::mirrors});
+  v1::CompileJob message = compile_message(ball_scene(settings));
+  message.set_keep_factors(true);
+  job_.compile(message);
+  const auto messages = sent();
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_EQ(messages[0].failed().kind(), v1::Failed::BAD_INPUT);
+  EXPECT_EQ(messages[0].failed().reason(), "the fake backend keeps no factors for relighting");
+}
+
 TEST_F(WorkerJob, SendsATilesFactorsBeforeTheTile) {
   v1::CompileJob message = compile_message(ball_scene(settings));
   message.set_keep_factors(true);

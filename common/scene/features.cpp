@@ -1,0 +1,11 @@
+#include "common/scene/features.h"
+
+namespace metamer {
+
+std::span<const char* const> feature_names() {
+  static constexpr const char* names[] = {"mirrors",        "exact_fresnel", "anisotropy",
+                                          "corner_shading", "factors",       "multi_pass"};
+  return names;
+}
+
+}  // namespace metamer

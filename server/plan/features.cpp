@@ -1,0 +1,96 @@
+#include "server/plan/features.h"
+
+#include <algorithm>
+
+namespace metamer {
+namespace {
+
+/// What becomes of a need that `by`, "gl backend", does not support.
+struct Lack {
+  enum class Kind { notice, refusal } kind;
+  std::string message;
+};
+
+Lack lack(Feature feature, const std::string& by) {
+  using enum Lack::Kind;
+  switch (feature) {
+    case Feature::mirrors:
+      return {notice, "the " + by + " has no mirrors"};
+    case Feature::exact_fresnel:
+      return {refusal, "the " + by + " has no Fresnel terms of n and k"};
+    case Feature::anisotropy:
+      return {refusal, "the " + by + " has no tangents for anisotropic models"};
+    case Feature::corner_shading:
+      return {notice, "the " + by + " shades by PHONG alone"};
+    case Feature::factors:
+      return {refusal, "the " + by + " keeps no factors for relighting"};
+    case Feature::multi_pass:
+      return {notice, "has no effect: the " + by + " has no passes"};
+  }
+  return {refusal, {}};
+}
+
+template <class Predicate>
+void need_of_objects(const RenderScene& scene, Feature feature, Predicate needs_it,
+                     std::vector<Need>& needs) {
+  Need need{feature, {}, 0};
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
+    if (needs_it(scene.objects[i], scene.materials[scene.objects[i].material]) && need.count++ == 0)
+      need.field = "object[" + std::to_string(i) + "]";
+  if (need.count > 0) needs.push_back(need);
+}
+
+}  // namespace
+
+std::vector<Need> features_of(const RenderScene& scene, const v1::Settings& settings) {
+  using Object = RenderObject;
+  using Material = RenderMaterial;
+  std::vector<Need> needs;
+  need_of_objects(
+      scene, Feature::mirrors,
+      [&](const Object&, const Material& m) { return settings.depth() > 0 && m.mirror > 0; },
+      needs);
+  need_of_objects(
+      scene, Feature::exact_fresnel,
+      [](const Object&, const Material& m) { return m.fresnel == FresnelKind::exact; }, needs);
+  need_of_objects(
+      scene, Feature::anisotropy, [](const Object&, const Material& m) { return m.anisotropic(); },
+      needs);
+  need_of_objects(
+      scene, Feature::corner_shading,
+      [](const Object& object, const Material&) {
+        return object.shape == Object::Shape::mesh && object.shading != v1::PHONG;
+      },
+      needs);
+  if (settings.method().point().multi_pass())
+    needs.push_back({Feature::multi_pass, "settings.method.point.multi_pass"});
+  return needs;
+}
+
+Need need_of_factors() { return {Feature::factors, {}}; }
+
+void notice_unsupported(const std::vector<Need>& needs, const Supported& supported,
+                        v1::Plan& plan) {
+  for (const Need& need : needs) {
+    const Lack lacking = lack(need.feature, supported.by);
+    if (supported.features.has(need.feature) || lacking.kind != Lack::Kind::notice) continue;
+    v1::Notice& notice = *plan.add_notice();
+    notice.set_field(need.field);
+    notice.set_message(lacking.message + (need.count > 1
+                                              ? " (and " + std::to_string(need.count - 1) + " more)"
+                                              : ""));
+  }
+}
+
+std::vector<Problem> refuse_unsupported(const std::vector<Need>& needs,
+                                        const Supported& supported) {
+  std::vector<Problem> problems;
+  for (const Need& need : needs) {
+    const Lack lacking = lack(need.feature, supported.by);
+    if (!supported.features.has(need.feature) && lacking.kind == Lack::Kind::refusal)
+      problems.push_back({.field = need.field, .file = {}, .message = lacking.message});
+  }
+  return problems;
+}
+
+}  // namespace metamer
