@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "common/models/registry.h"
+#include "common/scene/feature_sets.h"
 #include "common/scene/settings.h"
 
 namespace metamer::cli {
@@ -193,11 +194,12 @@ BenchCase shading_case(const Entry& model, v1::Shading shading, std::uint32_t po
   return one;
 }
 
-std::string bench_scene_text(const v1::Scene& scene) {
+std::string bench_scene_text(const v1::Scene& scene, const v1::Capabilities& capabilities) {
   const v1::Settings settings = with_defaults(scene.settings());
-  const std::string mirrors = settings.backend() == v1::GL
-                                  ? "the gl backend without mirrors"
-                                  : std::to_string(settings.depth()) + " mirror reflections";
+  const std::string mirrors =
+      has_feature(capabilities, settings.backend(), Feature::mirrors)
+          ? std::to_string(settings.depth()) + " mirror reflections"
+          : "the " + name_of(settings.backend()) + " backend without mirrors";
   const bool meshes = scene.object(scene.object_size() - 1).has_mesh();
   return std::to_string(side * side) + (meshes ? " meshes" : " spheres") + ", 2 lights, " +
          mirrors + ", " + std::to_string(settings.width()) + "x" +

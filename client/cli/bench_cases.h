@@ -6,6 +6,7 @@
 #include "client/session/submission.h"
 #include "common/models/registry.h"
 #include "metamer/v1/scene.pb.h"
+#include "metamer/v1/session.pb.h"
 
 namespace metamer::cli {
 
@@ -29,6 +30,6 @@ BenchCase shading_case(const models::Entry& model, v1::Shading shading, std::uin
                        bool multi_pass);
 
 /// What such a scene is, in words.
-std::string bench_scene_text(const v1::Scene& scene);
+std::string bench_scene_text(const v1::Scene& scene, const v1::Capabilities& capabilities);
 
 }  // namespace metamer::cli

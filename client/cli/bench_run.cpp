@@ -106,8 +106,9 @@ ExitCode run_bench(const BenchOptions& options, std::vector<std::vector<BenchCas
   for (std::vector<BenchCase>& cases : groups)
     if (!apply_to(cases, options.overrides, report)) return report.finish(ExitCode::bad_input);
   const auto run = [&](Session& session, Interrupts&) -> asio::awaitable<ExitCode> {
-    report.line(bench_scene_text(groups[0][0].scene) + ", " + std::to_string(options.rounds) +
-                (options.rounds == 1 ? " round" : " rounds") + "; medians. " + table.legend);
+    report.line(bench_scene_text(groups[0][0].scene, session.welcome().capabilities()) + ", " +
+                std::to_string(options.rounds) + (options.rounds == 1 ? " round" : " rounds") +
+                "; medians. " + table.legend);
     report.line(table.head);
     for (const std::vector<BenchCase>& cases : groups) {
       const Answer<std::vector<Measured>> measured =

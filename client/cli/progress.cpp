@@ -70,7 +70,7 @@ std::string describe(const v1::Plan& plan) {
     case v1::Method::METHOD_NOT_SET:
       break;
   }
-  if (plan.backend() == "gl") text += "by the gl backend, ";
+  if (plan.backend() != "cpu") text += "by the " + plan.backend() + " backend, ";
   text += counted(plan.lights(), "light", "lights") + ", ";
   text += counted(plan.materials(), "material", "materials") + ", ";
   text += counted(plan.triangles(), "triangle", "triangles") + ", ";

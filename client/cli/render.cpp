@@ -10,6 +10,7 @@
 #include "client/cli/follow.h"
 #include "client/cli/output.h"
 #include "client/cli/scene_input.h"
+#include "common/scene/feature_sets.h"
 
 namespace metamer::cli {
 namespace {
@@ -37,8 +38,14 @@ asio::awaitable<ExitCode> render_on(Session& session, Interrupts& interrupts,
                                     const RenderOptions& options, const SceneInput& scene,
                                     Report& report) {
   const auto executor = co_await asio::this_coro::executor;
+  const bool keep_factors = wanted(options.output) == Wanted::tiles_and_factors;
+  if (keep_factors && !has_feature(session.welcome().capabilities(),
+                                   scene.scene().settings().backend(), Feature::factors)) {
+    report.problem(factors_by_gl(), {});
+    co_return ExitCode::bad_input;
+  }
   Submission submission = make_submission(scene.scene(), scene.assets(), scene.name(), false);
-  submission.request.set_keep_factors(wanted(options.output) == Wanted::tiles_and_factors);
+  submission.request.set_keep_factors(keep_factors);
   const Answer<std::uint64_t> job_id = co_await session.submit(submission);
   if (!job_id) co_return report.session_error(job_id.error());
 
@@ -71,11 +78,6 @@ ExitCode render(const RenderOptions& options) {
   if (fit != ExitCode::done) return report.finish(fit);
   const auto scene = SceneInput::load(options.scene, options.overrides, report);
   if (!scene) return report.finish(ExitCode::bad_input);
-  if (scene->scene().settings().backend() == v1::GL &&
-      wanted(options.output) == Wanted::tiles_and_factors) {
-    report.problem(factors_by_gl(), {});
-    return report.finish(ExitCode::bad_input);
-  }
   const ExitCode code =
       with_any_server(options.common, report, [&](Session& session, Interrupts& interrupts) {
         return render_on(session, interrupts, options, *scene, report);

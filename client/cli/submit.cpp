@@ -2,12 +2,18 @@
 #include "client/cli/connection.h"
 #include "client/cli/output.h"
 #include "client/cli/scene_input.h"
+#include "common/scene/feature_sets.h"
 
 namespace metamer::cli {
 namespace {
 
 boost::asio::awaitable<ExitCode> submit_to(Session& session, const SceneInput& scene,
                                            bool keep_factors, Report& report) {
+  if (keep_factors && !has_feature(session.welcome().capabilities(),
+                                   scene.scene().settings().backend(), Feature::factors)) {
+    report.problem(factors_by_gl(), {});
+    co_return ExitCode::bad_input;
+  }
   Submission submission = make_submission(scene.scene(), scene.assets(), scene.name(), false);
   submission.request.set_keep_factors(keep_factors);
   const Answer<std::uint64_t> job_id = co_await session.submit(submission);
@@ -23,10 +29,6 @@ ExitCode submit(const SubmitOptions& options) {
   Report report(options.common.json);
   const auto scene = SceneInput::load(options.scene, options.overrides, report);
   if (!scene) return report.finish(ExitCode::bad_input);
-  if (options.keep_factors && scene->scene().settings().backend() == v1::GL) {
-    report.problem(factors_by_gl(), {});
-    return report.finish(ExitCode::bad_input);
-  }
   return report.finish(with_server(options.common, report, [&](Session& session) {
     return submit_to(session, *scene, options.keep_factors, report);
   }));

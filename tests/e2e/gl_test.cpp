@@ -48,6 +48,36 @@ TEST(Gl, KeepsNoFactors) {
   EXPECT_NE(ended.err.find("need what the cpu backend keeps"), std::string::npos) << ended.err;
 }
 
+TEST(Gl, MethodsAreChosenByWhatItsOwnPicturesCost) {
+  const Daemon daemon;
+  Folder folder;
+  const std::string scene = folder.write("scene.txtpb", small_scene());
+  const Json explained = daemon.json({"explain", scene, "--backend", "gl"});
+  ASSERT_EQ(explained["exit_code"], 0) << explained;
+  ASSERT_GT(explained["plan"]["prediction"].size(), 8u);
+  for (const Json& one : explained["plan"]["prediction"]) EXPECT_GT(one["render"].get<double>(), 0);
+  for (const Json& notice : explained["plan"]["notice"])
+    EXPECT_NE(notice["field"], "settings.backend");  // nothing to excuse
+
+  const Json chosen = daemon.json(
+      {"render", scene, "--backend", "gl", "--tolerance", "0.5", "-o", folder / "a.png"});
+  ASSERT_EQ(chosen["exit_code"], 0) << chosen;
+  EXPECT_TRUE(chosen["accuracy"]["kept"].get<bool>());
+  EXPECT_GT(chosen["plan"]["prediction"].size(), 0u);
+}
+
+TEST(Gl, InfoTellsWhatEachBackendHas) {
+  const Daemon daemon;
+  const Json sets = daemon.json({"info"})["info"]["capabilities"]["backend_features"];
+  ASSERT_EQ(sets.size(), 2u);
+  EXPECT_EQ(sets[0]["name"], "cpu");
+  EXPECT_EQ(sets[0]["feature"],
+            Json({"mirrors", "exact_fresnel", "anisotropy", "corner_shading", "factors"}));
+  EXPECT_EQ(sets[1]["name"], "gl");
+  EXPECT_EQ(sets[1]["feature"],
+            Json({"exact_fresnel", "anisotropy", "corner_shading", "multi_pass"}));
+}
+
 TEST(Gl, InfoNamesTheDeviceAndWhatWasFoundOfIt) {
   const Daemon daemon;
   const Json info = daemon.json({"info"})["info"];
