@@ -20,8 +20,6 @@ class FakeTurns : public ViewTurns {
   int served_ = 0;
 };
 
-using Names = std::vector<std::string>;
-
 class WorkerJob : public WorkerTest {
  protected:
   v1::CompileJob compile_message(const std::string& scene_text) const {

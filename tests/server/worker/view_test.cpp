@@ -8,8 +8,6 @@
 namespace metamer::worker {
 namespace {
 
-using Names = std::vector<std::string>;
-
 class WorkerView : public WorkerTest {
  protected:
   bool open(const std::string& text) {
@@ -33,8 +31,6 @@ class WorkerView : public WorkerTest {
   std::promise<void> imported_;
   View view_{3, options_, link_, work_, [this] { imported_.set_value(); }};
 };
-
-constexpr const char* small = "width: 8 height: 4 spp: 4";
 
 TEST_F(WorkerView, SaysItsPlanAndDrawsAFrameForEachCredit) {
   ASSERT_TRUE(open(ball_scene(small)));

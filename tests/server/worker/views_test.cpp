@@ -9,8 +9,6 @@
 namespace metamer::worker {
 namespace {
 
-using Names = std::vector<std::string>;
-
 class WorkerViews : public WorkerTest {
  protected:
   void open(std::uint64_t id, const std::string& scene) {
@@ -46,8 +44,6 @@ class WorkerViews : public WorkerTest {
                  woken_.notify_all();
                }};
 };
-
-constexpr const char* small = "width: 8 height: 4 spp: 2";
 
 TEST_F(WorkerViews, TakeNothingButWhatIsAboutThem) {
   v1::WorkerEnvelope message;

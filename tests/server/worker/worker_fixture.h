@@ -35,6 +35,11 @@ class WorkerTest : public ::testing::Test {
   Link link_;  ///< The worker's end.
 };
 
+using Names = std::vector<std::string>;
+
+/// Settings of a picture that takes no time.
+inline constexpr const char* small = "width: 8 height: 4 spp: 4";
+
 /// A ball under a lamp, with these settings, and with more of anything.
 std::string ball_scene(const std::string& settings, const std::string& more = {});
 
