@@ -19,11 +19,12 @@ struct FoldHooks {
 /// its parent and one factor more; chain 0 has none, and a parent comes before its children. A
 /// carrier is what light becomes on its way:
 ///
-///     enter(chain, parent, factor)          each chain but 0, parents first: F_1 … F_k from its
-///     parent's term(chain, light, factor, weight)    each term; `Terms` may hand over several at
-///     once leave(chain, parent, factor)          each chain but 0, children first: what the chain
-///     has summed goes
-///                                           over its last factor into its parent's sum
+/// `enter(chain, parent, factor)` is called for each chain but 0, parents first: F_1 … F_k from its
+/// parent's.
+/// `term(chain, light, factor, weight)` is called for each term; `Terms` may hand over several at
+/// once.
+/// `leave(chain, parent, factor)` is called for each chain but 0, children first: what the chain
+/// has summed goes over its last factor into its parent's sum.
 ///
 /// A carrier uses enter or leave. Either keeps the order of the factors, so they need not commute.
 ///

@@ -28,9 +28,8 @@ class MessageTables {
   std::map<std::tuple<std::uint32_t, std::uint32_t, FactorNode>, std::uint32_t> signatures_;
 };
 
-/// The same as they are read: what fold() walks over. A product is a chain, a signature a term of
-/// weight
-/// 1. The message is sound, and outlives it.
+/// The same as they are read: what fold() walks over. A product is a chain, and a signature is a
+/// term whose weight is 1. The message is sound, and outlives it.
 class MessageTerms {
  public:
   struct Chain {
