@@ -121,10 +121,9 @@ TEST_F(WorkerJob, RefusesTilesOutsideItsPlan) {
 
 TEST_F(WorkerJob, StopsInTheMiddleOfAPicture) {
   job_.compile(compile_message(ball_scene(settings)));
-  backend_.before_tile = [&] {
-    if (work_ > 0) job_.stop();
+  backend_.before_tile = [&, tiles = 0]() mutable {
+    if (tiles++ == 1) job_.stop();
   };
-  work_ = 0;
   job_.render(both_tiles());
   EXPECT_EQ(sent_names(), (Names{"planned", "tile_done", "stopped"}));
 }
