@@ -47,7 +47,10 @@ class RayTracer : public Renderer {
 
   void begin(Picture picture) override {
     picture_ = std::move(picture);
-    if (picture_.tiles.empty()) picture_.tiles = tiles_of(picture_.film);
+    if (picture_.tiles.empty()) {
+      picture_.tiles = tiles_of(picture_.film);
+      picture_.tile_done = {};
+    }
     next_ = 0;
     tracer_.emplace(
         scene_, geometry_->embree(),
