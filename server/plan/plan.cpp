@@ -79,6 +79,22 @@ bool lacks_direction(const TriangleMesh& mesh) {
          mesh.tangents.end();
 }
 
+/// Says what of the meshes' files is not in the picture.
+void notice_skipped_faces(const RenderScene& scene, v1::Plan& plan) {
+  std::vector<bool> told(scene.meshes.size());
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const RenderObject& object = scene.objects[i];
+    if (object.shape != RenderObject::Shape::mesh || told[object.mesh]) continue;
+    told[object.mesh] = true;
+    const std::uint64_t skipped = scene.meshes[object.mesh].skipped_faces;
+    if (skipped == 0) continue;
+    v1::Notice* notice = plan.add_notice();
+    notice->set_field("object[" + std::to_string(i) + "].mesh.file");
+    notice->set_message(std::to_string(skipped) + (skipped == 1 ? " face has" : " faces have") +
+                        " fewer than three corners: skipped");
+  }
+}
+
 /// Says which tangents anisotropic materials see, and where a kind of shading means nothing.
 void notice_objects(const RenderScene& scene, v1::Plan& plan) {
   Group by_uv, by_both, by_axis, spheres, quadratic;
@@ -176,6 +192,7 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
   }
   for (const Supported& supported : supporters(settings.method(), capabilities))
     notice_unsupported(needs, supported, plan);
+  notice_skipped_faces(scene, plan);
   notice_objects(scene, plan);
   notice_short_end(settings.method(), wavelengths, plan);
   notice_missed_light(scene, settings, wavelengths, plan);

@@ -3,6 +3,7 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <assimp/BaseImporter.h>
 #include <algorithm>
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
@@ -11,9 +12,21 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <set>
+#include <stdexcept>
 
 #include "common/scene/gltf.h"
 #include "common/scene/limits.h"
+#include "common/scene/names.h"
+
+/// What Assimp calls where one of its assertions fails: Debian's build keeps them, and would end
+/// the process. An exception ends the import alone.
+namespace Assimp {
+void aiAssertViolation(const char* expression, const char* file, int line);
+void aiAssertViolation(const char* expression, const char*, int) {
+  throw std::runtime_error(std::string("Assimp expects ") + expression);
+}
+}  // namespace Assimp
 
 namespace metamer {
 namespace {
@@ -77,10 +90,16 @@ bool usable(const aiVector3D& v) {
   return std::abs(v.x) <= limit && std::abs(v.y) <= limit && std::abs(v.z) <= limit;
 }
 
+std::uint64_t count_faces(const aiScene& scene) {
+  std::uint64_t faces = 0;
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) faces += scene.mMeshes[m]->mNumFaces;
+  return faces;
+}
+
 /// What is wrong with a file's raw meshes. Before any post-processing: joining vertices would take
 /// NaN for equal to whatever it is compared with.
 Result<void> check(const aiScene& scene) {
-  std::uint64_t vertices = 0, faces = 0;
+  std::uint64_t vertices = 0;
   for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
     const aiMesh& mesh = *scene.mMeshes[m];
     for (unsigned i = 0; i < mesh.mNumVertices; ++i, ++vertices)
@@ -92,12 +111,47 @@ Result<void> check(const aiScene& scene) {
           return problem("face " + std::to_string(f) + " names vertex " +
                          std::to_string(mesh.mFaces[f].mIndices[corner]) + "; there are " +
                          std::to_string(mesh.mNumVertices));
-    faces += mesh.mNumFaces;
   }
-  if (faces > limits::max_triangles)
+  if (const std::uint64_t faces = count_faces(scene); faces > limits::max_triangles)
     return problem("holds " + std::to_string(faces) + " faces; at most " +
                    std::to_string(limits::max_triangles) + " are allowed");
   return {};
+}
+
+/// Takes away the faces that have no area by their count of corners: Assimp's next steps would
+/// assert that there are none without corners, and leave the vertices of points and lines without
+/// normals. Returns how many there were.
+std::uint64_t drop_points_and_lines(aiScene& scene) {
+  std::uint64_t dropped = 0;
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    aiMesh& mesh = *scene.mMeshes[m];
+    aiFace* const end = mesh.mFaces + mesh.mNumFaces;
+    aiFace* const kept =
+        std::remove_if(mesh.mFaces, end, [](const aiFace& face) { return face.mNumIndices < 3; });
+    if (kept == end) continue;
+    dropped += static_cast<std::uint64_t>(end - kept);
+    mesh.mNumFaces = static_cast<unsigned>(kept - mesh.mFaces);
+    mesh.mPrimitiveTypes = 0;
+    for (const aiFace* face = mesh.mFaces; face != kept; ++face)
+      mesh.mPrimitiveTypes |=
+          face->mNumIndices == 3 ? aiPrimitiveType_TRIANGLE : aiPrimitiveType_POLYGON;
+  }
+  return dropped;
+}
+
+/// Leaves Assimp the readers of the file's own extension. It would try 40 others on a file that
+/// they refuse.
+void keep_readers_of(const std::string& name, Assimp::Importer& importer) {
+  for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+    Assimp::BaseImporter* const reader = importer.GetImporter(i);
+    std::set<std::string> extensions;
+    reader->GetExtensionList(extensions);
+    if (std::any_of(extensions.begin(), extensions.end(),
+                    [&](const std::string& own) { return has_extension(name, "." + own); }))
+      continue;
+    importer.UnregisterLoader(reader);
+    delete reader;  // No longer the importer's.
+  }
 }
 
 /// Which vertices have a direction of rising u: those of a triangle whose UVs are finite and span
@@ -161,16 +215,22 @@ Result<TriangleMesh> import_mesh(const std::string& name, const AssetReader& ass
     return tl::unexpected(Problem{.field = {}, .file = name, .message = std::move(message)});
   };
 
-  // Let Assimp read the file as it is.
   Assimp::Importer importer;
+  const auto reason = [&](const std::string& what) {
+    const std::string error = importer.GetErrorString();
+    const bool empty = error.find("No output meshes") != std::string::npos;
+    return empty ? "holds no triangles" : what + error;
+  };
+
+  // Let Assimp read the file as it is.
   importer.SetIOHandler(new AssetSystem(assets));
+  keep_readers_of(name, importer);
   const aiScene* scene = importer.ReadFile(name, 0);
-  if (scene == nullptr) {
-    const std::string reason = importer.GetErrorString();
-    if (reason.find("No output meshes") != std::string::npos) return fail("holds no triangles");
-    return fail("can't be read as a mesh: " + reason);
-  }
+  if (scene == nullptr) return fail(reason("can't be read as a mesh: "));
   if (auto sound = check(*scene); !sound) return fail(std::move(sound.error().message));
+  TriangleMesh mesh;
+  mesh.skipped_faces = drop_points_and_lines(const_cast<aiScene&>(*scene));
+  if (count_faces(*scene) == 0) return fail("holds no triangles");
 
   // Let it make triangles of polygons, one node of all, and normals where the file has none.
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
@@ -180,11 +240,15 @@ Result<TriangleMesh> import_mesh(const std::string& name, const AssetReader& ass
   if (repeats_vertices(*scene)) steps |= aiProcess_JoinIdenticalVertices;
   if (tangents) steps |= aiProcess_CalcTangentSpace;
   scene = importer.ApplyPostProcessing(steps);
-  if (scene == nullptr) return fail("holds no triangles");
+  if (scene == nullptr) return fail(reason("can't be made of triangles: "));
 
   // Join its meshes.
-  TriangleMesh mesh;
-  for (unsigned i = 0; i < scene->mNumMeshes; ++i) append(*scene->mMeshes[i], tangents, mesh);
+  for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
+    const aiMesh& part = *scene->mMeshes[i];
+    if (!std::all_of(part.mVertices, part.mVertices + part.mNumVertices, usable))
+      return fail("moves a vertex by its own nodes to where it is not finite or too far out");
+    append(part, tangents, mesh);
+  }
   if (mesh.triangles.empty()) return fail("holds no triangles");
   const auto none = [](const std::array<float, 3>& v) { return v == std::array<float, 3>{}; };
   if (std::all_of(mesh.tangents.begin(), mesh.tangents.end(), none)) mesh.tangents.clear();

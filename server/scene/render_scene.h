@@ -20,6 +20,7 @@ struct TriangleMesh {
   /// material asks.
   std::vector<std::array<float, 3>> tangents;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::uint64_t skipped_faces = 0;  ///< Of its file: those without three corners.
 };
 
 struct RenderCamera {
