@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "server/scene/placement.h"
+
 namespace metamer::cpu {
 namespace {
 
@@ -51,12 +53,12 @@ Eigen::Matrix3d normal_map(const Eigen::Affine3d& to_world) {
   return map / map.norm();
 }
 
-/// Rotation, translation and one scale factor for all directions.
-std::optional<double> uniform_scale(const Eigen::Affine3d& map) {
-  const Eigen::Matrix3d squared = map.linear().transpose() * map.linear();
+/// The factor of a map that turns, and scales all directions alike.
+std::optional<double> uniform_scale(const Eigen::Matrix3d& map) {
+  const Eigen::Matrix3d squared = map.transpose() * map;
   const double scale = squared(0, 0);
   const bool uniform =
-      (squared - scale * Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-9 * scale;
+      (squared - scale * Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= 1e-9 * scale;
   return uniform ? std::optional(std::sqrt(scale)) : std::nullopt;
 }
 
@@ -171,7 +173,9 @@ void EmbreeScene::add_placed(const RenderObject& object, const TriangleMesh& mes
 }
 
 void EmbreeScene::add_sphere(const RenderObject& object) {
-  const auto scale = uniform_scale(object.to_world);
+  // Its size apart from its shape: a shape's numbers lie near 1 however small the sphere is.
+  const int exponent = exponent_of(object.to_world.linear());
+  const Eigen::Matrix3d shape = scaled_by_two_to(-exponent, object.to_world.linear());
   const auto sphere = [&](const Eigen::Vector3d& center, double radius) {
     RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
     auto* vertex = static_cast<std::array<float, 4>*>(rtcSetNewGeometryBuffer(
@@ -180,19 +184,21 @@ void EmbreeScene::add_sphere(const RenderObject& object) {
     *vertex = {c[0], c[1], c[2], static_cast<float>(radius)};
     return geometry;
   };
-  if (scale) {
-    attach(sphere(object.to_world.translation(), *scale));
+  if (const auto scale = uniform_scale(shape)) {
+    attach(sphere(object.to_world.translation(), std::ldexp(*scale, exponent)));
     return;
   }
-  // An ellipsoid is an instance of the unit sphere.
-  RTCScene unit = rtcNewScene(device_.get());
-  RTCGeometry geometry = sphere(Eigen::Vector3d::Zero(), 1);
+  // An ellipsoid is an instance of a sphere of about its size.
+  RTCScene ball = rtcNewScene(device_.get());
+  RTCGeometry geometry = sphere(Eigen::Vector3d::Zero(), std::ldexp(1.0, exponent));
   rtcCommitGeometry(geometry);
-  rtcAttachGeometry(unit, geometry);
+  rtcAttachGeometry(ball, geometry);
   rtcReleaseGeometry(geometry);
-  rtcJoinCommitScene(unit);
-  shared_scenes_.emplace_back(unit);
-  add_instance(object, unit, nullptr);
+  rtcJoinCommitScene(ball);
+  shared_scenes_.emplace_back(ball);
+  RenderObject shaped = object;
+  shaped.to_world.linear() = shape;
+  add_instance(shaped, ball, nullptr);
 }
 
 void EmbreeScene::add_instance(const RenderObject& object, RTCScene shared,

@@ -32,8 +32,10 @@ double reach(const RenderScene& scene) {
 }  // namespace
 
 CameraSpace CameraSpace::of(const RenderScene& scene) {
+  constexpr double largest = 1023;  // exponent of an f64: what is smaller than 1/2^1023 stays small
   const double size = reach(scene);
-  return {scene.camera.eye, size > 0 ? std::exp2(-std::floor(std::log2(size))) : 1};
+  return {scene.camera.eye,
+          size > 0 ? std::exp2(std::min(largest, -std::floor(std::log2(size)))) : 1};
 }
 
 void CameraSpace::place(RenderScene& scene) const {

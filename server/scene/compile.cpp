@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -14,6 +15,9 @@
 
 namespace metamer {
 namespace {
+
+/// Of an ellipsoid: rays in its own space, too, have to keep to limits::max_coordinate.
+constexpr double max_axis_ratio = 1e16;
 
 /// A number as people write it: 60, 0.5, 1e+06.
 std::string shown(double value) {
@@ -72,7 +76,7 @@ class Compiler {
     result_.lights.push_back(
         {.name = light.name(),
          .directional = directional,
-         .place = directional ? Eigen::Vector3d(-to_vector(light.direction()).normalized())
+         .place = directional ? Eigen::Vector3d(-unit(to_vector(light.direction())))
                               : to_vector(light.position()),
          .reference_distance = light.reference_distance(),
          .luminance = light.has_luminance() ? light.luminance() : 1,
@@ -176,6 +180,18 @@ class Compiler {
     if (!(reach <= limits::max_coordinate))
       add(field, "reaches " + shown(reach) + " from the origin; at most " +
                      shown(limits::max_coordinate) + " is allowed");
+    else if (object.shape == RenderObject::Shape::sphere)
+      check_axes(object.to_world.linear(), field);
+  }
+
+  /// An ellipsoid is traced in a space of its own, where rays have to stay within bounds, too.
+  void check_axes(const Eigen::Matrix3d& axes, const std::string& field) {
+    const Eigen::Matrix3d near_one = scaled_by_two_to(-exponent_of(axes), axes);
+    const double ratio = near_one.determinant() != 0 ? near_one.norm() * near_one.inverse().norm()
+                                                     : std::numeric_limits<double>::infinity();
+    if (!(ratio <= max_axis_ratio))
+      add(field, "its axes differ by a factor of " + shown(ratio) + "; at most " +
+                     shown(max_axis_ratio) + " is allowed");
   }
 
   /// The box around a mesh in its own space, computed the first time that it is asked for.
@@ -211,7 +227,7 @@ class Compiler {
           {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
     if (needs_tangents_) {
-      const Eigen::Vector3f along = u.normalized().cast<float>();
+      const Eigen::Vector3f along = unit(u).cast<float>();
       mesh.tangents.assign(4, {along.x(), along.y(), along.z()});
     }
     result_.meshes.push_back(std::move(mesh));
@@ -258,8 +274,8 @@ RenderCamera compile_camera(const v1::Camera& camera) {
   const Eigen::Vector3d up = camera.has_up() ? to_vector(camera.up()) : Eigen::Vector3d::UnitY();
   RenderCamera to;
   to.eye = to_vector(camera.eye());
-  to.forward = (to_vector(camera.target()) - to.eye).normalized();
-  to.right = to.forward.cross(up).normalized();
+  to.forward = unit(to_vector(camera.target()) - to.eye);
+  to.right = unit(to.forward.cross(scaled_by_two_to(-exponent_of(up), up)));
   to.up = to.right.cross(to.forward);
   const double fov = camera.has_vertical_fov() ? camera.vertical_fov() : 35;
   to.tan_half_fov = std::tan(fov * std::numbers::pi / 360);

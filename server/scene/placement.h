@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <numbers>
 
 #include "metamer/v1/scene.pb.h"
@@ -8,6 +9,25 @@
 namespace metamer {
 
 inline Eigen::Vector3d to_vector(const v1::Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+/// Of the largest number in `m`, as a power of two; 0 where all are 0. Scaled by its inverse, the
+/// largest lies in 1..2, so that no product over- or underflows, and nothing is rounded.
+template <class Matrix>
+int exponent_of(const Matrix& m) {
+  const double largest = m.cwiseAbs().maxCoeff();
+  return largest > 0 ? std::ilogb(largest) : 0;
+}
+
+/// 2^exponent m.
+template <class Matrix>
+typename Matrix::PlainObject scaled_by_two_to(int exponent, const Matrix& m) {
+  return m.unaryExpr([exponent](double x) { return std::ldexp(x, exponent); });
+}
+
+/// `v` of length 1, whatever its length was above 0.
+inline Eigen::Vector3d unit(const Eigen::Vector3d& v) {
+  return scaled_by_two_to(-exponent_of(v), v).normalized();
+}
 
 /// An object's steps as one map, the first step applied first.
 inline Eigen::Affine3d placement(const google::protobuf::RepeatedPtrField<v1::Transform>& steps) {
@@ -23,7 +43,7 @@ inline Eigen::Affine3d placement(const google::protobuf::RepeatedPtrField<v1::Tr
       case v1::Transform::kRotate: {
         constexpr double radians = std::numbers::pi / 180;
         map.prerotate(Eigen::AngleAxisd(step.rotate().degrees() * radians,
-                                        to_vector(step.rotate().axis()).normalized()));
+                                        unit(to_vector(step.rotate().axis()))));
         break;
       }
       case v1::Transform::kMatrix: {

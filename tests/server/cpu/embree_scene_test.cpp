@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "server/scene/camera_space.h"
 #include "tests/server/test_scene.h"
 
 namespace metamer::cpu {
@@ -84,6 +85,43 @@ TEST(EmbreeScene, AnInstanceIsWhereItsTransformPutsIt) {
     EXPECT_NEAR(a.normal.y[i], b.normal.y[i], 1e-5);
     EXPECT_NEAR(a.geometric_normal.x[i], b.geometric_normal.x[i], 1e-5);
   }
+}
+
+/// Every ray of a small picture of one object before a wall, in camera space.
+std::size_t hits_of(const std::string& object) {
+  const RenderScene scene = to_camera_space(test::compile_text(
+      "camera { eye { z: 3 } target {} } light { name: 'l' position { y: 3 } spectrum { standard: "
+      "'E' } } material { name: 'm' diffuse { constant: 1 } } object { name: 'wall' material: 'm' "
+      "quad { corner { x: -9 y: -9 z: -9 } u { x: 18 } v { y: 18 } } } object { name: 'o' "
+      "material: 'm' " +
+      object + " }"));
+  const auto geometry = EmbreeScene::build(scene, never);
+  std::size_t count = 0;
+  for (int y = -8; y <= 8; ++y) {
+    Vec8 direction = broadcast({0, static_cast<float>(y) / 20, -1});
+    for (int x = 0; x < lane_count; ++x) direction.x[x] = static_cast<float>(x - 4) / 20;
+    const Hits hits = geometry->intersect(broadcast({0, 0, 0}), normalize(direction), Int8{} - 1);
+    for (int i = 0; i < lane_count; ++i) count += hits.hit[i] && hits.object[i] == 1 ? 1 : 0;
+    geometry->visible(broadcast({0, 0, -1}), normalize(direction), broadcast(9), Int8{} - 1);
+  }
+  return count;
+}
+
+TEST(EmbreeScene, SpheresAndEllipsoidsOfAnySizeAreBuiltAndTraced) {
+  // Embree's assertions would end the process where a size squared or its inverse leaves f32.
+  const std::string flat = "transform { scale { x: 1 y: 1 z: 1e-3 } }";
+  for (const std::string radius : {"1e-5", "1e-15", "1e-20", "1e-38", "1e-45", "1e-160", "5e-324"})
+    EXPECT_LE(hits_of("sphere { radius: " + radius + " }"), 1u) << radius;
+  for (const std::string radius : {"1e-5", "1e-15", "1e-20", "1e-38", "1e-45", "1e-160"})
+    EXPECT_LE(hits_of("sphere { radius: " + radius + " } " + flat), 1u) << radius;
+  for (const std::string far : {"", "1e5", "1e14"})  // however far the scene's end is
+    EXPECT_GT(hits_of("sphere { radius: 1 } " + flat + " } object { name: 'far' material: 'm' " +
+                      "sphere { center { y: " + (far.empty() ? "9" : far) + " } radius: 1 }"),
+              20u)
+        << far;
+  for (const std::string extreme : {"x: 1 y: 1 z: 1e-14", "x: 1e-14 y: 1 z: 1", "x: 1 y: 1 z: 1e13",
+                                    "x: 1e-14 y: 1e-14 z: 2e-14"})
+    hits_of("sphere { radius: 1 } transform { scale { " + extreme + " } }");
 }
 
 TEST(EmbreeScene, ACancelledBuildGivesNothing) {

@@ -193,6 +193,49 @@ TEST(Compile, ATransformThatThrowsItsObjectOutOfTheWorldIsAnError) {
   EXPECT_EQ(result.error()[0].message, "reaches 1e+18 from the origin; at most 1e+15 is allowed");
 }
 
+TEST(Compile, DirectionsOfAnyLengthAreMadeUnit) {
+  const std::string object =
+      "object { name: 'o' material: 'm' sphere { radius: 1 } transform { "
+      "rotate { axis { x: LENGTH } degrees: 90 } } }";
+  for (const std::string length : {"1", "1e-160", "1e-310", "5e-324", "1e15"}) {
+    std::string text =
+        "camera { eye {} target { z: LENGTH } up { y: LENGTH } } light { name: 'l' direction { y: "
+        "LENGTH } spectrum { standard: 'E' } } material { name: 'm' } " +
+        object;
+    for (std::size_t at; (at = text.find("LENGTH")) != std::string::npos;)
+      text.replace(at, 6, length);
+    const RenderScene result = test::compile_text(text);
+    EXPECT_EQ(result.camera.forward, Eigen::Vector3d(0, 0, 1)) << length;
+    EXPECT_EQ(result.camera.right, Eigen::Vector3d(-1, 0, 0)) << length;
+    EXPECT_EQ(result.lights[0].place, Eigen::Vector3d(0, -1, 0)) << length;
+    EXPECT_TRUE((result.objects[0].to_world.linear() * Eigen::Vector3d::UnitY())
+                    .isApprox(Eigen::Vector3d::UnitZ()))
+        << length;
+  }
+}
+
+TEST(Compile, AnEllipsoidTooFlatToBeTracedIsAnError) {
+  const auto result = compile_with(scene("",
+                                         "object { name: 'o' material: 'm' sphere { radius: 1 } "
+                                         "transform { scale { x: 1e15 y: 1 z: 1e-15 } } }"),
+                                   {});
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error()[0].field, "object[0]");
+  EXPECT_EQ(result.error()[0].message,
+            "its axes differ by a factor of 1e+30; at most 1e+16 is allowed");
+}
+
+TEST(Compile, AnEllipsoidWhoseAxesUnderflowIsAnError) {
+  const auto result = compile_with(
+      scene("",
+            "object { name: 'o' material: 'm' sphere { radius: 5e-324 } transform { scale { "
+            "x: 1 y: 1 z: 1e-3 } } }"),
+      {});
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error()[0].message,
+            "its axes differ by a factor of inf; at most 1e+16 is allowed");
+}
+
 TEST(Compile, EverythingWrongIsReportedTogether) {
   const auto result =
       compile_with(scene("diffuse { file: 'no.sp' } fresnel { conductor { n { file: 'no.n' } k { "
