@@ -3,9 +3,9 @@
 #include "client/cli/commands.h"
 #include "client/cli/connection.h"
 #include "client/cli/follow.h"
-#include "client/cli/method_text.h"
 #include "client/cli/print.h"
 #include "client/cli/scene_input.h"
+#include "common/scene/methods.h"
 
 namespace metamer::cli {
 namespace {

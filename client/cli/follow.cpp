@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "client/cli/method_text.h"
+#include "common/scene/methods.h"
 
 namespace metamer::cli {
 namespace {

@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <iostream>
 
+#include "common/scene/methods.h"
+
 namespace metamer::cli {
 namespace {
 
@@ -45,31 +47,7 @@ std::string clock(double seconds) {
 std::string describe(const v1::Plan& plan) {
   std::string text = print("%ux%u, ", plan.width(), plan.height());
   text += counted(plan.spp(), "sample", "samples") + " per pixel, ";
-  switch (plan.method().method_case()) {
-    case v1::Method::kPoint:
-      text += "point at " +
-              (plan.method().point().has_fitted()
-                   ? counted(plan.bands(), "fitted wavelength", "fitted wavelengths")
-                   : counted(plan.bands(), "wavelength", "wavelengths")) +
-              print(" from %g to %g nm, ", plan.from(), plan.to());
-      break;
-    case v1::Method::kRgb:
-      text += "rgb, ";
-      break;
-    case v1::Method::kLinear:
-      text += "linear with " + counted(plan.bands(), "basis function", "basis functions") +
-              print(" (residual %.1e), ", plan.residual());
-      break;
-    case v1::Method::kExact:
-      text += "exact with " + counted(plan.signatures(), "signature", "signatures") + ", ";
-      break;
-    case v1::Method::kPrefilter:
-      text += "prefilter, ";
-      break;
-    case v1::Method::kAuto:
-    case v1::Method::METHOD_NOT_SET:
-      break;
-  }
+  text += planned_method_text(plan) + ", ";
   if (plan.backend() != "cpu") text += "by the " + plan.backend() + " backend, ";
   text += counted(plan.lights(), "light", "lights") + ", ";
   text += counted(plan.materials(), "material", "materials") + ", ";

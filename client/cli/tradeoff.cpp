@@ -14,11 +14,11 @@
 #include "client/cli/connection.h"
 #include "client/cli/follow.h"
 #include "client/cli/gnuplot.h"
-#include "client/cli/method_text.h"
 #include "client/cli/overrides.h"
 #include "client/cli/scene_input.h"
 #include "common/color/srgb.h"
 #include "common/image/compare.h"
+#include "common/scene/methods.h"
 
 namespace metamer::cli {
 namespace {

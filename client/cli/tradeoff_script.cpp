@@ -5,9 +5,9 @@
 #include <cstdio>
 
 #include "client/cli/gnuplot.h"
-#include "client/cli/method_text.h"
 #include "client/cli/tradeoff.h"
 #include "common/problem.h"
+#include "common/scene/methods.h"
 
 namespace metamer::cli {
 namespace {

@@ -11,11 +11,11 @@
 #include "client/cli/commands.h"
 #include "client/cli/connection.h"
 #include "client/cli/development.h"
-#include "client/cli/method_text.h"
 #include "client/cli/output.h"
 #include "client/cli/scene_input.h"
 #include "client/tools/camera_motion.h"
 #include "common/color/error_statistics.h"
+#include "common/scene/methods.h"
 
 namespace metamer::cli {
 namespace {

@@ -1,5 +1,7 @@
 #include "client/cli/words.h"
 
+#include "common/scene/methods.h"
+
 namespace metamer::cli {
 
 const char* const footer =
@@ -32,12 +34,11 @@ void add_job(CLI::App& command, std::uint64_t& job_id) {
 
 void add_overrides(CLI::App& command, Overrides& options) {
   const std::string group = "In place of the scene's settings";
-  const auto add = [&](const char* name, auto& value, const char* meaning) {
+  const auto add = [&](const char* name, auto& value, const std::string& meaning) {
     return command.add_option(name, value, meaning)->group(group);
   };
   add("--backend", options.backend, "cpu, a ray tracer, or gl: OpenGL, without mirrors");
-  add("--method", options.method,
-      "how colour is carried: point, linear, exact, prefilter, rgb or auto");
+  add("--method", options.method, "how colour is carried: " + method_words());
   add("--samples", options.samples, "point at FROM:TO:STEP nm, such as 400:700:5");
   add("--wavelengths", options.wavelengths, "point at these nm, such as 400,436,546,700");
   add("--fitted", options.fitted, "point at so many nm, 1 to 64, that are chosen for the scene");

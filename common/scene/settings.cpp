@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "common/scene/methods.h"
+
 namespace metamer {
 
 v1::Settings with_defaults(const v1::Settings& settings) {
@@ -14,18 +16,7 @@ v1::Settings with_defaults(const v1::Settings& settings) {
 
   v1::Method& method = *full.mutable_method();
   if (method.method_case() == v1::Method::METHOD_NOT_SET) method.mutable_point();
-  if (method.has_point()) {
-    v1::Point& point = *method.mutable_point();
-    const bool uniform = point.has_from() || point.has_to() || point.has_step();
-    if (!uniform && point.wavelengths().empty() && !point.has_fitted()) {
-      point.set_from(400);
-      point.set_to(700);
-      point.set_step(5);
-    }
-  }
-  if (method.has_auto_() && method.auto_().goal_case() == v1::Auto::GOAL_NOT_SET)
-    method.mutable_auto_()->set_tolerance(0.5);
-  if (method.has_linear() && !method.linear().has_bases()) method.mutable_linear()->set_bases(4);
+  if (const auto fill = method_entry(method)->fill) fill(method);
   return full;
 }
 

@@ -51,20 +51,8 @@ Features method_features(const v1::Method& method) {
 }
 
 Wavelengths method_wavelengths(const v1::Method& method) {
-  switch (method.method_case()) {
-    case v1::Method::kPoint:
-      return method.point().has_fitted() ? observer_wavelengths()
-                                         : *point_wavelengths(method.point());
-    case v1::Method::kExact:
-    case v1::Method::kLinear:
-    case v1::Method::kPrefilter:
-      return observer_wavelengths();
-    case v1::Method::kRgb:
-    case v1::Method::kAuto:
-    case v1::Method::METHOD_NOT_SET:
-      break;
-  }
-  return observer_wavelengths();
+  const bool own = method.has_point() && !method.point().has_fitted();
+  return own ? *point_wavelengths(method.point()) : observer_wavelengths();
 }
 
 std::size_t method_bands(const v1::Method& method) {

@@ -21,28 +21,6 @@ constexpr double worth_a_look = 0.01;
 /// ΔE00 that nobody sees: it is not worth any time to be better.
 constexpr double invisible = 0.05;
 
-v1::Method point(double step) {
-  v1::Method method;
-  method.mutable_point()->set_from(step > 1 ? 380 : 360);
-  method.mutable_point()->set_to(step > 1 ? 780 : 830);
-  method.mutable_point()->set_step(step);
-  return method;
-}
-
-v1::Method fitted(std::uint32_t count) {
-  v1::Method method;
-  method.mutable_point()->set_fitted(count);
-  return method;
-}
-
-v1::Method linear(std::uint32_t bases) {
-  v1::Method method;
-  method.mutable_linear()->set_bases(bases);
-  method.mutable_linear()->set_weighting(v1::Linear::OBSERVER);
-  method.mutable_linear()->set_bounce(true);
-  return method;
-}
-
 using Fits = std::function<bool(const Predicted&)>;
 
 Predicted* most_accurate(std::vector<Predicted>& all, const Fits& fits) {
@@ -142,18 +120,6 @@ Choice keep_deadline(Predictor& predictor, const std::atomic<bool>& stopped, dou
 }
 
 }  // namespace
-
-std::vector<v1::Method> candidates() {
-  std::vector<v1::Method> all(3);
-  all[0].mutable_exact();
-  all[1].mutable_rgb();
-  all[2].mutable_prefilter();
-  for (const std::uint32_t bases : {3u, 4u, 6u}) all.push_back(linear(bases));
-  for (const std::uint32_t count : {6u, 8u, 12u, 16u}) all.push_back(fitted(count));
-  all.push_back(linear(8));
-  for (const double step : {20.0, 10.0, 5.0, 1.0}) all.push_back(point(step));
-  return all;
-}
 
 Choice choose(const PilotScene& pilot, const v1::Auto& goal, double elapsed) {
   const auto start = std::chrono::steady_clock::now();

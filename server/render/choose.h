@@ -1,13 +1,9 @@
 #pragma once
 
+#include "common/scene/methods.h"
 #include "server/render/predict.h"
 
 namespace metamer {
-
-/// Every method with the parameters that are worth their price: the exact one first, as it is
-/// mostly among the cheapest too, then the cheapest first as far as that can be told beforehand.
-/// What they cost in a scene is measured.
-std::vector<v1::Method> candidates();
 
 /// The method that a job is rendered with, and why.
 struct Choice {
@@ -23,7 +19,7 @@ struct Choice {
 /// more time than it takes.
 Choice choose(const PilotScene& pilot, const v1::Auto& goal, double elapsed);
 
-/// All the candidates' predictions, for those who want to know; `method` among them, marked as
+/// The predictions of all candidates(), for those who want to know; `method` among them, marked as
 /// chosen.
 std::vector<v1::Prediction> predict_all(const PilotScene& pilot, const v1::Method& method);
 

@@ -1,0 +1,157 @@
+#include "common/scene/methods.h"
+
+#include <google/protobuf/descriptor.h>
+#include <google/protobuf/text_format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cstdio>
+
+#include "common/scene/check_method.h"
+
+namespace metamer {
+namespace {
+
+std::string number(double value, const char* format = "%g") {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string counted(std::uint64_t count, const std::string& one) {
+  return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
+}
+
+void fill_point(v1::Method& method) {
+  v1::Point& point = *method.mutable_point();
+  const bool uniform = point.has_from() || point.has_to() || point.has_step();
+  if (uniform || !point.wavelengths().empty() || point.has_fitted()) return;
+  point.set_from(400);
+  point.set_to(700);
+  point.set_step(5);
+}
+
+std::string point_text(const v1::Method& method) {
+  const v1::Point& point = method.point();
+  if (point.fitted() > 0) return "point fitted " + std::to_string(point.fitted());
+  if (!point.wavelengths().empty())
+    return "point at " + std::to_string(point.wavelengths_size()) + " listed";
+  return "point " + number(point.from()) + ":" + number(point.to()) + ":" + number(point.step());
+}
+
+std::string planned_point(const v1::Plan& plan) {
+  const bool fitted = plan.method().point().has_fitted();
+  return "point at " + counted(plan.bands(), fitted ? "fitted wavelength" : "wavelength") +
+         " from " + number(plan.from()) + " to " + number(plan.to()) + " nm";
+}
+
+void fill_linear(v1::Method& method) {
+  if (!method.linear().has_bases()) method.mutable_linear()->set_bases(4);
+}
+
+std::string linear_text(const v1::Method& method) {
+  const v1::Linear& linear = method.linear();
+  return "linear " + std::to_string(linear.bases()) +
+         (linear.weighting() == v1::Linear::OBSERVER ? " observer" : "") +
+         (linear.bounce() ? " bounce" : "");
+}
+
+std::string planned_linear(const v1::Plan& plan) {
+  return "linear with " + counted(plan.bands(), "basis function") + " (residual " +
+         number(plan.residual(), "%.1e") + ")";
+}
+
+std::string planned_exact(const v1::Plan& plan) {
+  return "exact with " + counted(plan.signatures(), "signature");
+}
+
+void fill_auto(v1::Method& method) {
+  if (method.auto_().goal_case() == v1::Auto::GOAL_NOT_SET)
+    method.mutable_auto_()->set_tolerance(0.5);
+}
+
+std::string auto_text(const v1::Method& method) {
+  const v1::Auto& goal = method.auto_();
+  return goal.has_deadline() ? "auto, deadline " + number(goal.deadline()) + " s"
+                             : "auto, tolerance " + number(goal.tolerance());
+}
+
+}  // namespace
+
+const std::vector<MethodEntry>& method_entries() {
+  static const std::vector<MethodEntry> entries = {
+      {.word = "point",
+       .trials = {{4, "point { fitted: 6 }"},
+                  {4, "point { fitted: 8 }"},
+                  {4, "point { fitted: 12 }"},
+                  {4, "point { fitted: 16 }"},
+                  {6, "point { from: 380 to: 780 step: 20 }"},
+                  {6, "point { from: 380 to: 780 step: 10 }"},
+                  {6, "point { from: 380 to: 780 step: 5 }"},
+                  {6, "point { from: 360 to: 830 step: 1 }"}},
+       .fill = fill_point,
+       .check = check_point,
+       .text = point_text,
+       .planned = planned_point},
+      {.word = "linear",
+       .trials = {{3, "linear { bases: 3 weighting: OBSERVER bounce: true }"},
+                  {3, "linear { bases: 4 weighting: OBSERVER bounce: true }"},
+                  {3, "linear { bases: 6 weighting: OBSERVER bounce: true }"},
+                  {5, "linear { bases: 8 weighting: OBSERVER bounce: true }"}},
+       .fill = fill_linear,
+       .check = check_linear,
+       .text = linear_text,
+       .planned = planned_linear},
+      {.word = "exact", .trials = {{0, "exact {}"}}, .planned = planned_exact},
+      {.word = "prefilter", .trials = {{2, "prefilter {}"}}},
+      {.word = "rgb", .trials = {{1, "rgb {}"}}},
+      {.word = "auto", .trials = {}, .fill = fill_auto, .check = check_auto, .text = auto_text}};
+  return entries;
+}
+
+const MethodEntry* method_entry(const v1::Method& method) {
+  const auto* field = method.GetReflection()->GetOneofFieldDescriptor(
+      method, v1::Method::descriptor()->FindOneofByName("method"));
+  if (field == nullptr) return nullptr;
+  for (const MethodEntry& entry : method_entries())
+    if (entry.word == field->name()) return &entry;
+  assert(!"a test holds the table against the schema");
+  return nullptr;
+}
+
+std::string method_words() {
+  std::string words;
+  const auto& entries = method_entries();
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    words += std::string(i == 0 ? "" : i + 1 < entries.size() ? ", " : " or ") + entries[i].word;
+  return words;
+}
+
+std::string method_text(const v1::Method& method) {
+  const MethodEntry* entry = method_entry(method);
+  if (entry == nullptr) return "";
+  return entry->text ? entry->text(method) : entry->word;
+}
+
+std::string planned_method_text(const v1::Plan& plan) {
+  const MethodEntry* entry = method_entry(plan.method());
+  if (entry == nullptr) return "";
+  return entry->planned ? entry->planned(plan) : entry->word;
+}
+
+std::vector<v1::Method> candidates() {
+  std::vector<Trial> trials;
+  for (const MethodEntry& entry : method_entries())
+    trials.insert(trials.end(), entry.trials.begin(), entry.trials.end());
+  std::stable_sort(trials.begin(), trials.end(),
+                   [](const Trial& a, const Trial& b) { return a.turn < b.turn; });
+  std::vector<v1::Method> methods(trials.size());
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    [[maybe_unused]] const bool read =
+        google::protobuf::TextFormat::ParseFromString(trials[i].method, &methods[i]);
+    assert(read);
+  }
+  return methods;
+}
+
+}  // namespace metamer
