@@ -20,6 +20,13 @@ inline constexpr FactorEntry factor_entries[] = {
 };
 inline constexpr std::size_t factor_kind_count = std::size(factor_entries);
 
+/// Tables have a column a kind.
+static_assert([] {
+  for (std::size_t i = 0; i < factor_kind_count; ++i)
+    if (static_cast<std::size_t>(factor_entries[i].kind) != i) return false;
+  return true;
+}());
+
 /// What `action` makes of the kind's definition, factors::White{} and so on.
 template <class Action>
 decltype(auto) with_kind(FactorKind kind, Action&& action) {
