@@ -1,7 +1,7 @@
 #include "client/cli/control.h"
 
 #include "client/cli/connection.h"
-#include "client/cli/job_text.h"
+#include "client/tools/job_text.h"
 
 namespace metamer::cli {
 namespace {

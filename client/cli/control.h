@@ -4,6 +4,7 @@
 
 #include "client/cli/exit_code.h"
 #include "client/cli/options.h"
+#include "client/cli/report.h"
 #include "client/session/session.h"
 
 namespace metamer::cli {

@@ -3,7 +3,7 @@
 
 #include "client/cli/commands.h"
 #include "client/cli/connection.h"
-#include "client/cli/progress.h"
+#include "client/tools/job_text.h"
 
 namespace metamer::cli {
 namespace {

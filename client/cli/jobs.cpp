@@ -1,6 +1,6 @@
 #include "client/cli/commands.h"
 #include "client/cli/connection.h"
-#include "client/cli/job_text.h"
+#include "client/tools/job_text.h"
 
 namespace metamer::cli {
 namespace {

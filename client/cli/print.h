@@ -1,17 +1,12 @@
 #pragma once
 
-#include <array>
-#include <cstdio>
-#include <string>
+#include "client/tools/formatted.h"
 
 namespace metamer::cli {
 
-/// A line of text as printf makes it, of at most 400 bytes.
 template <class... Values>
 std::string print(const char* format, Values... values) {
-  std::array<char, 400> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
+  return client::formatted(format, values...);
 }
 
 }  // namespace metamer::cli

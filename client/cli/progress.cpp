@@ -1,27 +1,19 @@
 #include "client/cli/progress.h"
-#include "client/cli/print.h"
 
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <iostream>
 
-#include "common/scene/methods.h"
+#include "client/tools/formatted.h"
+#include "client/tools/job_text.h"
 
 namespace metamer::cli {
+
+using namespace client;
+
 namespace {
-
-std::string counted(std::uint64_t count, const char* one, const char* many) {
-  return std::to_string(count) + ' ' + (count == 1 ? one : many);
-}
-
-std::string rate(std::uint64_t rays, double seconds) {
-  return seconds > 0 ? print("%.1f Mrays/s", static_cast<double>(rays) / seconds * 1e-6)
-                     : std::string("- Mrays/s");
-}
 
 unsigned percent(const v1::Progress& progress) {
   if (progress.tiles() == 0) return 0;
@@ -36,33 +28,8 @@ int terminal_columns() {
 
 }  // namespace
 
-std::string clock(double seconds) {
-  // A count that is no sensible time is no time.
-  if (!(seconds >= 0 && seconds < 1e6)) return "-:--";
-  const long whole = std::lround(std::ceil(seconds));
-  return whole < 3600 ? print("%ld:%02ld", whole / 60, whole % 60)
-                      : print("%ld:%02ld:%02ld", whole / 3600, whole / 60 % 60, whole % 60);
-}
-
-std::string describe(const v1::Plan& plan) {
-  std::string text = print("%ux%u, ", plan.width(), plan.height());
-  text += counted(plan.spp(), "sample", "samples") + " per pixel, ";
-  text += planned_method_text(plan) + ", ";
-  if (plan.backend() != "cpu") text += "by the " + plan.backend() + " backend, ";
-  text += counted(plan.lights(), "light", "lights") + ", ";
-  text += counted(plan.materials(), "material", "materials") + ", ";
-  text += counted(plan.triangles(), "triangle", "triangles") + ", ";
-  text += counted(plan.threads(), "thread", "threads");
-  return text;
-}
-
-std::string describe(const v1::Timing& timing) {
-  return print("%.2f s rendering (", timing.render()) + rate(timing.rays(), timing.render()) +
-         print("), %.2f s in all", timing.total());
-}
-
 std::string bar(const v1::Progress& progress, int columns) {
-  const std::string tail = print("  %3u %%  ", percent(progress)) +
+  const std::string tail = formatted("  %3u %%  ", percent(progress)) +
                            rate(progress.rays(), progress.seconds()) + "  " +
                            clock(progress.seconds_left()) + " left";
   constexpr int widest = 40;  // the rest of a wide terminal would only make the eye travel
@@ -100,7 +67,7 @@ void ProgressView::show_line(const v1::Progress& progress) {
   const unsigned tenths = percent(progress) / 10;
   if (tenths <= tenths_ || tenths >= 10) return;
   tenths_ = tenths;
-  line(print("%u %%, ", percent(progress)) + rate(progress.rays(), progress.seconds()) + ", " +
+  line(formatted("%u %%, ", percent(progress)) + rate(progress.rays(), progress.seconds()) + ", " +
        clock(progress.seconds_left()) + " left");
 }
 

@@ -3,18 +3,11 @@
 #include <string>
 
 #include "metamer/v1/jobs.pb.h"
-#include "metamer/v1/plan.pb.h"
 
 namespace metamer::cli {
 
-/// "640x480, 16 samples per pixel, point at 61 wavelengths from 400 to 700 nm, …"
-std::string describe(const v1::Plan& plan);
-/// "1.24 s rendering (45.1 Mrays/s), 1.50 s in all"
-std::string describe(const v1::Timing& timing);
 /// "[####------]  40 %  12.3 Mrays/s  0:07 left", at most `columns` wide.
 std::string bar(const v1::Progress& progress, int columns);
-/// "0:07", "1:02:03"
-std::string clock(double seconds);
 
 /// Tells a person how a job gets on, on stderr: a bar that redraws itself on a terminal, else a
 /// line now and then (planned, each tenth, done), so that a log stays short.

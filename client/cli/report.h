@@ -10,6 +10,9 @@
 
 namespace metamer::cli {
 
+/// A subcommand is made of what every client has.
+using namespace client;
+
 /// What a subcommand has to say. People read errors and notes on stderr as they come; with --json
 /// the same facts also stand in the one document that finish() prints on stdout.
 class Report {

@@ -16,6 +16,7 @@
 #include "client/cli/gnuplot.h"
 #include "client/cli/overrides.h"
 #include "client/cli/scene_input.h"
+#include "common/scene/methods.h"
 #include "common/color/srgb.h"
 #include "common/image/compare.h"
 #include "common/scene/methods.h"

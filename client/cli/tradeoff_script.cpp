@@ -6,6 +6,7 @@
 
 #include "client/cli/gnuplot.h"
 #include "client/cli/tradeoff.h"
+#include "common/scene/methods.h"
 #include "common/problem.h"
 #include "common/scene/methods.h"
 

@@ -14,6 +14,7 @@
 #include "client/cli/output.h"
 #include "client/cli/scene_input.h"
 #include "client/tools/camera_motion.h"
+#include "common/scene/methods.h"
 #include "common/color/error_statistics.h"
 #include "common/scene/methods.h"
 

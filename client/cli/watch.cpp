@@ -3,8 +3,8 @@
 
 #include "client/cli/commands.h"
 #include "client/cli/connection.h"
-#include "client/cli/job_text.h"
 #include "client/session/film.h"
+#include "client/tools/job_text.h"
 #include "common/image/image.h"
 
 namespace metamer::cli {

@@ -7,7 +7,7 @@
 #include "common/transport/factor_kinds.h"
 #include "common/transport/message_tables.h"
 
-namespace metamer {
+namespace metamer::client {
 namespace {
 
 bool is_spectrum(const v1::SampledSpectrum& spectrum) {
@@ -171,4 +171,4 @@ Factors FactorsBuilder::finish() {
   return std::move(factors_);
 }
 
-}  // namespace metamer
+}  // namespace metamer::client

@@ -12,7 +12,7 @@
 #include "metamer/v1/jobs.pb.h"
 #include "metamer/v1/plan.pb.h"
 
-namespace metamer {
+namespace metamer::client {
 
 /// A picture before any spectrum: each pixel is a list of pairs of signature and weight, see
 /// factors.proto. Sound by construction: every index lies within its table.
@@ -72,4 +72,4 @@ std::string scene_fault(const v1::SceneFactors& scene);
 std::string table_fault(const v1::TileFactors& tables, std::size_t lights,
                         const FactorSources& sources);
 
-}  // namespace metamer
+}  // namespace metamer::client

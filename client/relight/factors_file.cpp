@@ -10,7 +10,7 @@
 #include "common/image/whole_file.h"
 #include "common/scene/limits.h"
 
-namespace metamer {
+namespace metamer::client {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the file is little-endian");
@@ -158,4 +158,4 @@ Result<Factors> read_factors(const std::filesystem::path& file) {
   return factors;
 }
 
-}  // namespace metamer
+}  // namespace metamer::client

@@ -5,7 +5,7 @@
 #include "common/transport/fold.h"
 #include "common/transport/message_tables.h"
 
-namespace metamer {
+namespace metamer::client {
 namespace {
 
 using Row = std::vector<float>;
@@ -166,4 +166,4 @@ std::optional<Xyz> source_white(const v1::SceneFactors& scene, cie::Observer obs
   return white;
 }
 
-}  // namespace metamer
+}  // namespace metamer::client

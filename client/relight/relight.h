@@ -9,7 +9,7 @@
 
 /// The renderer's second half by itself: what light and paint make of a picture's factors. The
 /// answer is that of the method `exact`, 360 to 830 nm by 1 nm, to the rounding of f32.
-namespace metamer {
+namespace metamer::client {
 
 /// X Y Z of each pixel. `scene` has the lights and materials of `factors.scene`, with spectra of
 /// its own choice.
@@ -26,4 +26,4 @@ double seen_share(const v1::SceneFactors::Light& light, cie::Observer observer,
 /// X Y Z of the dominant light at Y = 1; empty where the observer sees nothing of it.
 std::optional<Xyz> source_white(const v1::SceneFactors& scene, cie::Observer observer);
 
-}  // namespace metamer
+}  // namespace metamer::client

@@ -8,7 +8,7 @@
 #include "metamer/v1/problem.pb.h"
 #include "metamer/v1/session.pb.h"
 
-namespace metamer {
+namespace metamer::client {
 
 /// Why a session, or one request of it, came to nothing.
 struct SessionError {
@@ -36,4 +36,4 @@ inline tl::unexpected<SessionError> session_error(SessionError::Kind kind, std::
   return tl::unexpected<SessionError>(std::move(error));
 }
 
-}  // namespace metamer
+}  // namespace metamer::client

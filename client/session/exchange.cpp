@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace metamer {
+namespace metamer::client {
 namespace {
 
 using Kind = SessionError::Kind;
@@ -75,4 +75,4 @@ asio::awaitable<void> Session::State::write(const v1::Envelope& envelope) {
   co_await write_turn.async_receive(as_tuple);
 }
 
-}  // namespace metamer
+}  // namespace metamer::client

@@ -11,7 +11,7 @@
 #include "common/wire/channel.h"
 
 /// What session.cpp and view.cpp share: the connection, and the requests under way.
-namespace metamer {
+namespace metamer::client {
 
 namespace asio = boost::asio;
 using boost::system::error_code;
@@ -74,4 +74,4 @@ class Session::Exchange {
   std::shared_ptr<Inbox> inbox_;
 };
 
-}  // namespace metamer
+}  // namespace metamer::client

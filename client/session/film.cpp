@@ -8,7 +8,7 @@
 #include "common/color/srgb.h"
 #include "common/scene/limits.h"
 
-namespace metamer {
+namespace metamer::client {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "tiles are little-endian");
@@ -75,4 +75,4 @@ Answer<Image> preview_image(const v1::Preview& preview) {
   return image;
 }
 
-}  // namespace metamer
+}  // namespace metamer::client

@@ -8,7 +8,7 @@
 #include "metamer/v1/jobs.pb.h"
 #include "metamer/v1/plan.pb.h"
 
-namespace metamer {
+namespace metamer::client {
 
 /// The picture that grows out of a job's tiles: X, Y, Z in f32.
 class Film {
@@ -33,4 +33,4 @@ class Film {
 /// A preview as an XYZ image, so that it can be written like any other.
 Answer<Image> preview_image(const v1::Preview& preview);
 
-}  // namespace metamer
+}  // namespace metamer::client

@@ -22,7 +22,7 @@ extern "C" {  // glibc 2.36 forgot it
 #include <utility>
 #include <vector>
 
-namespace metamer {
+namespace metamer::client {
 namespace {
 
 namespace asio = boost::asio;
@@ -168,4 +168,4 @@ std::string PrivateServer::last_words() const {
   return last.empty() ? std::string() : ": " + last;
 }
 
-}  // namespace metamer
+}  // namespace metamer::client

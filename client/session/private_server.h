@@ -8,7 +8,7 @@
 
 #include "client/session/error.h"
 
-namespace metamer {
+namespace metamer::client {
 
 /// A metamerd of our own, on a Unix socket that nobody else knows. It goes when this object goes,
 /// and when this process ends, however that happens: it reads the end of file of a descriptor
@@ -43,4 +43,4 @@ class PrivateServer {
   std::filesystem::path folder_;
 };
 
-}  // namespace metamer
+}  // namespace metamer::client

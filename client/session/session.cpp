@@ -9,7 +9,7 @@
 #include "common/wire/endpoint.h"
 #include "common/wire/protocol.h"
 
-namespace metamer {
+namespace metamer::client {
 namespace {
 
 using Kind = SessionError::Kind;
@@ -231,4 +231,4 @@ asio::awaitable<Answer<void>> Session::watch(v1::Watch request, OnEvent on_event
   }
 }
 
-}  // namespace metamer
+}  // namespace metamer::client

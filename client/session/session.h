@@ -11,7 +11,7 @@
 #include "client/session/submission.h"
 #include "metamer/v1/envelope.pb.h"
 
-namespace metamer {
+namespace metamer::client {
 
 /// How long to wait for a server.
 struct ConnectLimits {
@@ -67,4 +67,4 @@ class Session {
   std::shared_ptr<State> state_;
 };
 
-}  // namespace metamer
+}  // namespace metamer::client

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-namespace metamer {
+namespace metamer::client {
 
 std::string serialise(const v1::Scene& scene) {
   std::string bytes;
@@ -86,4 +86,4 @@ Answer<v1::AssetChunk> Chunks::next() {
   return piece;
 }
 
-}  // namespace metamer
+}  // namespace metamer::client

@@ -12,7 +12,7 @@
 #include "metamer/v1/assets.pb.h"
 #include "metamer/v1/jobs.pb.h"
 
-namespace metamer {
+namespace metamer::client {
 
 /// One asset on its way: bytes in memory (the scene), or a file.
 struct Upload {
@@ -56,4 +56,4 @@ class Chunks {
   std::ifstream file_;
 };
 
-}  // namespace metamer
+}  // namespace metamer::client

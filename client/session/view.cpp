@@ -5,7 +5,7 @@
 #include "client/session/exchange.h"
 #include "common/scene/limits.h"
 
-namespace metamer {
+namespace metamer::client {
 namespace {
 
 using Kind = SessionError::Kind;
@@ -135,4 +135,4 @@ asio::awaitable<Answer<View::Picture>> View::next() {
   }
 }
 
-}  // namespace metamer
+}  // namespace metamer::client

@@ -6,7 +6,7 @@
 
 #include "client/session/session.h"
 
-namespace metamer {
+namespace metamer::client {
 
 /// A scene that is looked at and changed: frames as this side asks for them. Its session must
 /// outlive it; on the server it lives until close(), or as long as the session.
@@ -52,4 +52,4 @@ class View {
   Picture picture_;  ///< Whose bands are coming.
 };
 
-}  // namespace metamer
+}  // namespace metamer::client

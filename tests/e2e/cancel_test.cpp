@@ -12,6 +12,8 @@
 namespace metamer::test {
 namespace {
 
+using namespace client;
+
 using Clock = std::chrono::steady_clock;
 
 double milliseconds(Clock::time_point begin, Clock::time_point end) {

@@ -15,6 +15,8 @@
 namespace metamer::test {
 namespace {
 
+using namespace client;
+
 namespace asio = boost::asio;
 
 v1::Scene parsed(const std::string& text) {

@@ -1,11 +1,13 @@
-#include "client/cli/job_text.h"
+#include "client/tools/job_text.h"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 
-#include "client/cli/progress.h"
+#include "client/tools/formatted.h"
+#include "common/scene/methods.h"
 
-namespace metamer::cli {
+namespace metamer::client {
 namespace {
 
 std::string tiles(std::uint32_t done, std::uint32_t all) {
@@ -47,6 +49,40 @@ std::string describe_kind(const v1::JobEvent& event) {
 
 }  // namespace
 
+std::string counted(std::uint64_t count, const char* one, const char* many) {
+  return std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
+std::string rate(std::uint64_t rays, double seconds) {
+  return seconds > 0 ? formatted("%.1f Mrays/s", static_cast<double>(rays) / seconds * 1e-6)
+                     : std::string("- Mrays/s");
+}
+
+std::string clock(double seconds) {
+  // A count that is no sensible time is no time.
+  if (!(seconds >= 0 && seconds < 1e6)) return "-:--";
+  const long whole = std::lround(std::ceil(seconds));
+  return whole < 3600 ? formatted("%ld:%02ld", whole / 60, whole % 60)
+                      : formatted("%ld:%02ld:%02ld", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+std::string describe(const v1::Plan& plan) {
+  std::string text = formatted("%ux%u, ", plan.width(), plan.height());
+  text += counted(plan.spp(), "sample", "samples") + " per pixel, ";
+  text += planned_method_text(plan) + ", ";
+  if (plan.backend() != "cpu") text += "by the " + plan.backend() + " backend, ";
+  text += counted(plan.lights(), "light", "lights") + ", ";
+  text += counted(plan.materials(), "material", "materials") + ", ";
+  text += counted(plan.triangles(), "triangle", "triangles") + ", ";
+  text += counted(plan.threads(), "thread", "threads");
+  return text;
+}
+
+std::string describe(const v1::Timing& timing) {
+  return formatted("%.2f s rendering (", timing.render()) + rate(timing.rays(), timing.render()) +
+         formatted("), %.2f s in all", timing.total());
+}
+
 const char* word(v1::JobState state) {
   switch (state) {
     case v1::QUEUED:
@@ -82,4 +118,4 @@ std::string describe(const v1::JobEvent& event) {
   return text.data() + describe_kind(event);
 }
 
-}  // namespace metamer::cli
+}  // namespace metamer::client

@@ -12,6 +12,8 @@
 
 namespace metamer::test {
 
+using namespace client;
+
 /// A server that does what a test says: each request goes to `answer`, which gives what to send
 /// back, in order, each with the request's number filled in. An answer without a body closes.
 class FakeServer {

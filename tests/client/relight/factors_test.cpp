@@ -18,7 +18,7 @@
 #include "common/transport/factor_kinds.h"
 #include "common/transport/message_tables.h"
 
-namespace metamer {
+namespace metamer::client {
 namespace {
 
 namespace fs = std::filesystem;
@@ -290,4 +290,4 @@ TEST_F(FactorsFile, OfAnotherKindOrVersionSaysSo) {
 }
 
 }  // namespace
-}  // namespace metamer
+}  // namespace metamer::client

@@ -1,7 +1,6 @@
-// What people and programs read: progress, plans, job lines, JSON.
+// What people and programs read: progress, JSON.
 #include <gtest/gtest.h>
 
-#include "client/cli/job_text.h"
 #include "client/cli/json.h"
 #include "client/cli/progress.h"
 
@@ -17,15 +16,6 @@ v1::Progress progress_of(std::uint32_t done, std::uint32_t tiles, std::uint64_t 
   progress.set_seconds(seconds);
   progress.set_seconds_left(left);
   return progress;
-}
-
-TEST(Clock, CountsUpToHours) {
-  EXPECT_EQ(clock(0), "0:00");
-  EXPECT_EQ(clock(6.2), "0:07");
-  EXPECT_EQ(clock(61), "1:01");
-  EXPECT_EQ(clock(3723), "1:02:03");
-  EXPECT_EQ(clock(-1), "-:--");
-  EXPECT_EQ(clock(0.0 / 0.0), "-:--");
 }
 
 TEST(Bar, ShowsShareRateAndTimeLeft) {
@@ -45,49 +35,6 @@ TEST(Bar, NeverFillsTheLastColumn) {
 
 TEST(Bar, KnowsNoRateBeforeTheFirstSecond) {
   EXPECT_EQ(bar(progress_of(0, 0, 0, 0, 0), 30), "  0 %  - Mrays/s  0:00 left");
-}
-
-TEST(Plan, IsOneLine) {
-  v1::Plan plan;
-  plan.set_width(640);
-  plan.set_height(480);
-  plan.set_spp(1);
-  plan.set_bands(61);
-  plan.set_from(400);
-  plan.set_to(700);
-  plan.set_lights(2);
-  plan.set_materials(1);
-  plan.set_triangles(40000);
-  plan.set_threads(2);
-  plan.mutable_method()->mutable_point();
-  EXPECT_EQ(describe(plan),
-            "640x480, 1 sample per pixel, point at 61 wavelengths from 400 to 700 nm, 2 lights, "
-            "1 material, 40000 triangles, 2 threads");
-  plan.mutable_method()->mutable_point()->set_fitted(61);
-  EXPECT_EQ(describe(plan),
-            "640x480, 1 sample per pixel, point at 61 fitted wavelengths from 400 to 700 nm, 2 "
-            "lights, 1 material, 40000 triangles, 2 threads");
-  plan.mutable_method()->mutable_prefilter();
-  EXPECT_EQ(describe(plan),
-            "640x480, 1 sample per pixel, prefilter, 2 lights, 1 material, 40000 triangles, 2 "
-            "threads");
-  plan.mutable_method()->mutable_rgb();
-  EXPECT_EQ(describe(plan),
-            "640x480, 1 sample per pixel, rgb, 2 lights, 1 material, 40000 triangles, 2 threads");
-}
-
-TEST(JobLine, HoldsWhatAListNeeds) {
-  v1::JobSummary job;
-  job.set_job_id(7);
-  job.set_name("booth.txtpb");
-  job.set_state(v1::FAILED);
-  job.set_tiles_done(120);
-  job.set_tiles(300);
-  job.set_age(42);
-  job.set_reason("the worker was lost");
-  EXPECT_EQ(
-      describe(job),
-      "               7  failed         120/300      0:42  booth.txtpb  (the worker was lost)");
 }
 
 TEST(Json, KeepsDefaultsAndWordsAndLeavesPixelsOut) {

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace metamer {
+namespace metamer::client {
 namespace {
 
 namespace fs = std::filesystem;
@@ -104,4 +104,4 @@ TEST(Scene, IsAnAssetThatIsNamedByItsDigest) {
 }
 
 }  // namespace
-}  // namespace metamer
+}  // namespace metamer::client

@@ -8,7 +8,7 @@
 
 #include "common/color/srgb.h"
 
-namespace metamer {
+namespace metamer::client {
 namespace {
 
 v1::Plan plan_of(std::uint32_t width, std::uint32_t height) {
@@ -116,4 +116,4 @@ TEST(Preview, RefusesBytesThatDoNotFit) {
 }
 
 }  // namespace
-}  // namespace metamer
+}  // namespace metamer::client
