@@ -168,7 +168,7 @@ BenchCase shading_case(const Entry& model, v1::Shading shading, std::uint32_t po
                        bool multi_pass) {
   static const std::string ply = ball_as_ply(8);
   BenchCase one = case_of(model);
-  Upload mesh;
+  client::Upload mesh;
   mesh.name = "ball.ply";
   mesh.bytes = ply;
   mesh.size = ply.size();

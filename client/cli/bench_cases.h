@@ -14,7 +14,7 @@ namespace metamer::cli {
 struct BenchCase {
   std::string name;
   v1::Scene scene;
-  std::vector<Upload> meshes = {};  ///< By the names that the scene has for them.
+  std::vector<client::Upload> meshes = {};  ///< By the names that the scene has for them.
 };
 
 /// The same scene with each model of models.def, Blinn–Phong first; then the models with a Fresnel

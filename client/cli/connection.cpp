@@ -5,36 +5,23 @@
 #include <optional>
 #include <utility>
 
-#include "client/session/private_server.h"
+#include "client/session/connect.h"
 
 namespace metamer::cli {
 namespace {
 
 namespace asio = boost::asio;
 
-/// A private server lives as long as the frame of this coroutine. `listen` begins to handle
-/// interrupts: not while we wait for another machine to accept, where the system's way of dying
-/// is the quicker one.
+/// `listen` begins to handle interrupts: not while we wait for another machine
+/// to accept, where the system's way of dying is the quicker one.
 asio::awaitable<ExitCode> connect_and_work(std::string server, Report& report, const Work& work,
                                            const std::function<void()>& listen) {
-  std::optional<PrivateServer> own;
-  if (server.empty()) {
-    listen();
-    Answer<PrivateServer> started = co_await PrivateServer::start();
-    if (!started) co_return report.session_error(started.error());
-    own.emplace(std::move(*started));
-    server = "unix:" + own->socket().string();
-  }
-
-  Answer<std::unique_ptr<Session>> session = co_await Session::connect(server);
-  if (!session) co_return report.session_error(session.error());
-  if (own) {
-    own->connected();
-  } else {
-    listen();
-  }
-
-  const ExitCode code = co_await work(**session);
+  const bool named = !server.empty();
+  if (!named) listen();
+  Answer<Connection> connection = co_await connect(std::move(server));
+  if (!connection) co_return report.session_error(connection.error());
+  if (named) listen();
+  const ExitCode code = co_await work(*connection->session);
   co_return code;
 }
 
@@ -84,7 +71,9 @@ std::string server_name(const CommonOptions& options) {
 ExitCode with_server(const CommonOptions& options, Report& report, Work work) {
   const std::string server = server_name(options);
   if (server.empty()) {
-    report.error("no server named: use --server unix:PATH or HOST:PORT, or set METAMER_SERVER");
+    report.error(
+        "no server named: use --server unix:PATH or HOST:PORT, or set "
+        "METAMER_SERVER");
     return ExitCode::bad_input;
   }
   asio::io_context loop(1);

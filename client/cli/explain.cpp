@@ -54,19 +54,19 @@ void print_predictions(const v1::Plan& plan, Report& report) {
       "*: the scene's own method.");
 }
 
-boost::asio::awaitable<ExitCode> explain_on(Session& session, const SceneInput& scene,
+boost::asio::awaitable<ExitCode> explain_on(Session& session, const CheckedScene& scene,
                                             Report& report) {
   Submission submission = make_submission(scene.scene(), scene.assets(), scene.name(), true);
   submission.request.set_explain(true);
   const Answer<std::uint64_t> job_id = co_await session.submit(submission);
   if (!job_id) co_return report.session_error(job_id.error());
 
-  const Answer<Followed> followed = co_await follow(session, *job_id, Wanted::plan);
-  if (!followed) co_return report.session_error(followed.error());
-  const ExitCode code = conclude(*followed, &scene, report);
-  if (code != ExitCode::done || !followed->plan) co_return code;
-  print_needs(*followed->plan, report);
-  print_predictions(*followed->plan, report);
+  const Answer<JobRecord> job = co_await follow(session, *job_id, JobParts::plan);
+  if (!job) co_return report.session_error(job.error());
+  const ExitCode code = conclude(*job, &scene, report);
+  if (code != ExitCode::done || !job->plan) co_return code;
+  print_needs(*job->plan, report);
+  print_predictions(*job->plan, report);
   co_return code;
 }
 
@@ -74,7 +74,7 @@ boost::asio::awaitable<ExitCode> explain_on(Session& session, const SceneInput& 
 
 ExitCode explain(const ExplainOptions& options) {
   Report report(options.common.json);
-  const auto scene = SceneInput::load(options.scene, options.overrides, report);
+  const auto scene = load_scene(options.scene, options.overrides, report);
   if (!scene) return report.finish(ExitCode::bad_input);
   return report.finish(with_any_server(options.common, report, [&](Session& session, Interrupts&) {
     return explain_on(session, *scene, report);

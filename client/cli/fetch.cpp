@@ -20,13 +20,13 @@ boost::asio::awaitable<ExitCode> fetch_from(Session& session, const FetchOptions
                                             Report& report) {
   const Answer<std::string> name = co_await job_name(session, options.job_id);
   if (!name) co_return report.session_error(name.error());
-  Answer<Followed> followed = co_await follow(session, options.job_id, wanted(options.output));
-  if (!followed) co_return report.session_error(followed.error());
-  const ExitCode code = conclude(*followed, nullptr, report);
+  Answer<JobRecord> job = co_await follow(session, options.job_id, wanted(options.output));
+  if (!job) co_return report.session_error(job.error());
+  const ExitCode code = conclude(*job, nullptr, report);
   if (code != ExitCode::done && code != ExitCode::promise_broken) co_return code;
   // The words were checked before the job was.
-  (void)apply(options.development, *followed->plan->mutable_development());
-  const ExitCode written = write_output(options.output, *followed, *name, report);
+  (void)apply(options.development, *job->plan->mutable_development());
+  const ExitCode written = write_output(options.output, *job, *name, report);
   co_return written == ExitCode::done ? code : written;
 }
 

@@ -2,9 +2,9 @@
 
 #include <google/protobuf/descriptor.h>
 
-#include <cctype>
 #include <string>
 
+#include "client/tools/words.h"
 #include "common/digest.h"
 
 namespace metamer::cli {
@@ -12,15 +12,6 @@ namespace {
 
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
-
-std::string enum_word(const google::protobuf::EnumValueDescriptor* value) {
-  std::string word = value->name();
-  for (char& c : word) {
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    if (c == '_') c = '-';
-  }
-  return word;
-}
 
 Json bytes_json(const std::string& bytes) {
   const auto digest = digest_from_bytes(bytes);
@@ -54,8 +45,8 @@ Json value_json(const Message& message, const FieldDescriptor* field, int i) {
       return repeated ? reflect.GetRepeatedBool(message, field, i)
                       : reflect.GetBool(message, field);
     case FieldDescriptor::CPPTYPE_ENUM:
-      return enum_word(repeated ? reflect.GetRepeatedEnum(message, field, i)
-                                : reflect.GetEnum(message, field));
+      return client::word_of(repeated ? *reflect.GetRepeatedEnum(message, field, i)
+                                      : *reflect.GetEnum(message, field));
     case FieldDescriptor::CPPTYPE_MESSAGE:
       return to_json(repeated ? reflect.GetRepeatedMessage(message, field, i)
                               : reflect.GetMessage(message, field));

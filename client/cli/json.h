@@ -10,8 +10,10 @@ namespace metamer::cli {
 
 using Json = nlohmann::ordered_json;
 
-/// A message as JSON: fields under their own names, defaults included, enum values as words
-/// ("bad-input"), digests in hex. Pixels are left out: they go into picture files.
+/// A message as JSON: fields under their own names, defaults included, enum
+/// values as words
+/// ("bad-input"), digests in hex. Pixels are left out: they go into picture
+/// files.
 Json to_json(const google::protobuf::Message& message);
 
 Json to_json(const Problem& problem);

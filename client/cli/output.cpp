@@ -69,19 +69,20 @@ Problem factors_by_gl() {
               "pixel: leave --backend gl out"};
 }
 
-Wanted wanted(const OutputOptions& options) {
-  return options.factors || wants_spectra(options) ? Wanted::tiles_and_factors : Wanted::tiles;
+JobParts wanted(const OutputOptions& options) {
+  return options.factors || wants_spectra(options) ? JobParts::picture_and_factors
+                                                   : JobParts::picture;
 }
 
-ExitCode write_output(const OutputOptions& options, Followed& followed, const std::string& name,
+ExitCode write_output(const OutputOptions& options, JobRecord& job, const std::string& name,
                       Report& report) {
   std::map<std::string, std::string> metadata = {{"metamer:scene", name}};
-  google::protobuf::TextFormat::PrintToString(followed.last.finished().timing(),
+  google::protobuf::TextFormat::PrintToString(job.last.finished().timing(),
                                               &metadata["metamer:timing"]);
   std::optional<Factors> factors;
-  if (followed.factors) factors = followed.factors->finish();
-  const bool missing = !factors && wanted(options) == Wanted::tiles_and_factors;
-  if (missing && !followed.factors_lost) {
+  if (job.factors) factors = job.factors->finish();
+  const bool missing = !factors && wanted(options) == JobParts::picture_and_factors;
+  if (missing && !job.factors_lost) {
     report.error("the job keeps no factors, which " +
                  std::string(options.factors ? "--keep-factors" : "--exr spectral") +
                  " needs: submit it with --keep-factors");
@@ -93,7 +94,7 @@ ExitCode write_output(const OutputOptions& options, Followed& followed, const st
         "lower --depth or --tile-size");
   const ExitCode code =
       write_pictures(options,
-                     {followed.film->image(), *followed.plan, factors ? &*factors : nullptr,
+                     {job.film->image(), *job.plan, factors ? &*factors : nullptr,
                       factors ? &factors->scene : nullptr, std::move(metadata)},
                      report);
   if (missing) return ExitCode::other;

@@ -35,10 +35,10 @@ asio::awaitable<void> cancel_job(Session& session, std::uint64_t job_id) {
 }
 
 asio::awaitable<ExitCode> render_on(Session& session, Interrupts& interrupts,
-                                    const RenderOptions& options, const SceneInput& scene,
+                                    const RenderOptions& options, const CheckedScene& scene,
                                     Report& report) {
   const auto executor = co_await asio::this_coro::executor;
-  const bool keep_factors = wanted(options.output) == Wanted::tiles_and_factors;
+  const bool keep_factors = wanted(options.output) == JobParts::picture_and_factors;
   if (keep_factors && !has_feature(session.welcome().capabilities(),
                                    scene.scene().settings().backend(), Feature::factors)) {
     report.problem(factors_by_gl(), {});
@@ -55,18 +55,18 @@ asio::awaitable<ExitCode> render_on(Session& session, Interrupts& interrupts,
               << "cancelling; press Ctrl-C again to leave at once\n";
     asio::co_spawn(executor, cancel_job(session, id), asio::detached);
   });
-  Answer<Followed> followed = co_await follow(session, *job_id, wanted(options.output));
+  Answer<JobRecord> job = co_await follow(session, *job_id, wanted(options.output));
   interrupts.on_first({});
-  if (!followed) {
-    const ExitCode code = report.session_error(followed.error());
-    if (followed.error().kind == SessionError::Kind::disconnected)
+  if (!job) {
+    const ExitCode code = report.session_error(job.error());
+    if (job.error().kind == SessionError::Kind::disconnected)
       tell_how_to_continue(options, *job_id, report);
     co_return code;
   }
 
-  const ExitCode code = conclude(*followed, &scene, report);
+  const ExitCode code = conclude(*job, &scene, report);
   if (code != ExitCode::done && code != ExitCode::promise_broken) co_return code;
-  const ExitCode written = write_output(options.output, *followed, scene.name(), report);
+  const ExitCode written = write_output(options.output, *job, scene.name(), report);
   co_return written == ExitCode::done ? code : written;
 }
 
@@ -76,7 +76,7 @@ ExitCode render(const RenderOptions& options) {
   Report report(options.common.json);
   const ExitCode fit = check_output(options.output, report);
   if (fit != ExitCode::done) return report.finish(fit);
-  const auto scene = SceneInput::load(options.scene, options.overrides, report);
+  const auto scene = load_scene(options.scene, options.overrides, report);
   if (!scene) return report.finish(ExitCode::bad_input);
   const ExitCode code =
       with_any_server(options.common, report, [&](Session& session, Interrupts& interrupts) {

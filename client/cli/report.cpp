@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "client/cli/commands.h"
+#include "client/session/problems.h"
 
 namespace metamer::cli {
 namespace {
@@ -37,9 +38,11 @@ void Report::error(const std::string& message) {
 }
 
 void Report::problem(const Problem& problem, std::string_view source) {
-  std::string text = format(problem, source);
-  if (text.empty() || text.back() != '\n') text += '\n';
-  std::cerr << text;
+  described_problem(problem, format(problem, source));
+}
+
+void Report::described_problem(const Problem& problem, const std::string& text) {
+  std::cerr << text << '\n';
   document_["problems"].push_back(to_json(problem));
 }
 
@@ -67,22 +70,13 @@ void Report::line(const std::string& text) {
 ExitCode Report::finish(ExitCode code) {
   if (json_) {
     document_["exit_code"] = static_cast<int>(code);
-    // Bytes of a file's text may be no UTF-8: write a mark in their place rather than nothing.
+    // Bytes of a file's text may be no UTF-8: write a mark in their place
+    // rather than nothing.
     std::cout << document_.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   }
   std::cout.flush();
   if (!std::cout && code == ExitCode::done) return ExitCode::other;
   return code;
-}
-
-Problem from_wire(const v1::Problem& problem) {
-  Problem result;
-  result.field = problem.field();
-  result.file = problem.file();
-  result.line = static_cast<int>(problem.line());
-  result.column = static_cast<int>(problem.column());
-  result.message = problem.message();
-  return result;
 }
 
 ExitCode refuse_words(const std::string& why) {

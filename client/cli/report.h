@@ -13,8 +13,9 @@ namespace metamer::cli {
 /// A subcommand is made of what every client has.
 using namespace client;
 
-/// What a subcommand has to say. People read errors and notes on stderr as they come; with --json
-/// the same facts also stand in the one document that finish() prints on stdout.
+/// What a subcommand has to say. People read errors and notes on stderr as they
+/// come; with --json the same facts also stand in the one document that
+/// finish() prints on stdout.
 class Report {
  public:
   explicit Report(bool json) : json_(json) {}
@@ -26,24 +27,25 @@ class Report {
   /// Something that is wrong with nobody's file.
   void error(const std::string& message);
   /// Something wrong at a place; `source` is the text of problem.file, for the line and caret.
-  void problem(const Problem& problem, std::string_view source);
+  void problem(const Problem& problem, std::string_view source = {});
+  /// The same, where it is known how a person reads it.
+  void described_problem(const Problem& problem, const std::string& text);
   /// Something worth knowing.
   void note(const Problem& note);
-  /// A session's failure, with the problems that came with it. Returns the exit code it means.
+  /// A session's failure, with the problems that came with it. Returns the exit
+  /// code it means.
   ExitCode session_error(const SessionError& error);
 
   /// A line of the answer on stdout; nothing with --json.
   void line(const std::string& text);
 
-  /// The last call: prints the document with --json. Error: stdout can't be written.
+  /// The last call: prints the document with --json. Error: stdout can't be
+  /// written.
   ExitCode finish(ExitCode code);
 
  private:
   bool json_;
   Json document_ = Json::object();
 };
-
-/// A problem as it came over the wire.
-Problem from_wire(const v1::Problem& problem);
 
 }  // namespace metamer::cli

@@ -7,7 +7,7 @@
 namespace metamer::cli {
 namespace {
 
-boost::asio::awaitable<ExitCode> submit_to(Session& session, const SceneInput& scene,
+boost::asio::awaitable<ExitCode> submit_to(Session& session, const CheckedScene& scene,
                                            bool keep_factors, Report& report) {
   if (keep_factors && !has_feature(session.welcome().capabilities(),
                                    scene.scene().settings().backend(), Feature::factors)) {
@@ -27,7 +27,7 @@ boost::asio::awaitable<ExitCode> submit_to(Session& session, const SceneInput& s
 
 ExitCode submit(const SubmitOptions& options) {
   Report report(options.common.json);
-  const auto scene = SceneInput::load(options.scene, options.overrides, report);
+  const auto scene = load_scene(options.scene, options.overrides, report);
   if (!scene) return report.finish(ExitCode::bad_input);
   return report.finish(with_server(options.common, report, [&](Session& session) {
     return submit_to(session, *scene, options.keep_factors, report);

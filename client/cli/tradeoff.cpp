@@ -45,14 +45,14 @@ asio::awaitable<void> cancel_job(Session& session, std::uint64_t job_id) {
 struct Bench {
   Session& session;
   Interrupts& interrupts;
-  const SceneInput& scene;
+  const CheckedScene& scene;
   const TradeoffOptions& options;
 };
 
 /// A job that ended.
 struct Outcome {
   std::string failure;  ///< Empty: there is a picture, or it was cancelled.
-  Followed job;
+  JobRecord job;
 };
 
 /// Renders the scene by a method. Errors: the session's, but for a refusal, which is an outcome.
@@ -74,11 +74,11 @@ asio::awaitable<Answer<Outcome>> render_by(const Bench& bench, const v1::Method&
   bench.interrupts.on_first([&session = bench.session, executor, id = *job_id] {
     asio::co_spawn(executor, cancel_job(session, id), asio::detached);
   });
-  Answer<Followed> followed = co_await follow(bench.session, *job_id, Wanted::tiles_quietly);
+  Answer<JobRecord> job = co_await record_job(bench.session, *job_id, JobParts::picture);
   bench.interrupts.on_first({});
-  if (!followed) co_return tl::unexpected<SessionError>(followed.error());
-  if (followed->last.has_failed()) outcome.failure = reason_of(followed->last.failed());
-  outcome.job = std::move(*followed);
+  if (!job) co_return tl::unexpected<SessionError>(job.error());
+  if (job->last.has_failed()) outcome.failure = reason_of(job->last.failed());
+  outcome.job = std::move(*job);
   co_return Answer<Outcome>(std::move(outcome));
 }
 
@@ -224,7 +224,7 @@ bool check_options(const TradeoffOptions& options, Report& report) {
 ExitCode tradeoff(const TradeoffOptions& options) {
   Report report(options.common.json);
   if (!check_options(options, report)) return report.finish(ExitCode::bad_input);
-  const auto scene = SceneInput::load(options.scene, options.overrides, report);
+  const auto scene = load_scene(options.scene, options.overrides, report);
   if (!scene) return report.finish(ExitCode::bad_input);
   const ExitCode code =
       with_any_server(options.common, report,

@@ -10,11 +10,11 @@
 
 #include "client/cli/commands.h"
 #include "client/cli/connection.h"
-#include "client/cli/development.h"
 #include "client/cli/output.h"
 #include "client/cli/scene_input.h"
 #include "client/tools/camera_motion.h"
-#include "common/scene/methods.h"
+#include "client/session/problems.h"
+#include "client/tools/planned_developing.h"
 #include "common/color/error_statistics.h"
 #include "common/scene/methods.h"
 
@@ -158,10 +158,10 @@ ExitCode write_picture(const View::Picture& picture, const v1::Plan& plan, const
 }
 
 asio::awaitable<ExitCode> view_on(Session& session, Interrupts& interrupts,
-                                  const ViewOptions& options, const SceneInput& scene,
+                                  const ViewOptions& options, const CheckedScene& scene,
                                   Report& report) {
   const auto fail = [&](const SessionError& error) {
-    for (const v1::Problem& problem : error.problems) scene.print(from_wire(problem), report);
+    report_problems(scene, from_wire(error.problems), report);
     return error.problems.empty() ? report.session_error(error) : ExitCode::bad_input;
   };
   const Submission submission = make_submission(scene.scene(), scene.assets(), scene.name(), false);
@@ -169,7 +169,7 @@ asio::awaitable<ExitCode> view_on(Session& session, Interrupts& interrupts,
   if (!opened) co_return fail(opened.error());
   View& view = **opened;
   const v1::Plan& plan = view.plan();
-  for (const v1::Notice& notice : plan.notice()) scene.print(notice, report);
+  for (const v1::Notice& notice : plan.notice()) report_notice(scene, notice, report);
   report.line(scene.name() + ", " + std::to_string(plan.width()) + "×" +
               std::to_string(plan.height()) + ", by " + method_text(plan.method()) + " on the " +
               plan.backend() + " backend");
@@ -210,7 +210,7 @@ ExitCode view(const ViewOptions& options) {
   Report report(options.common.json);
   const ExitCode checked = check(options, report);
   if (checked != ExitCode::done) return report.finish(checked);
-  const auto scene = SceneInput::load(options.scene, options.overrides, report);
+  const auto scene = load_scene(options.scene, options.overrides, report);
   if (!scene) return report.finish(ExitCode::bad_input);
   return report.finish(
       with_any_server(options.common, report, [&](Session& session, Interrupts& interrupts) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <google/protobuf/repeated_ptr_field.h>
-
 #include <vector>
 
 #include "common/problem.h"
@@ -18,8 +16,9 @@ inline Problem from_wire(const v1::Problem& problem) {
           .message = problem.message()};
 }
 
-inline std::vector<Problem> from_wire(
-    const google::protobuf::RepeatedPtrField<v1::Problem>& problems) {
+/// The same of a message's list, or of a SessionError's.
+template <class Problems>
+std::vector<Problem> from_wire(const Problems& problems) {
   std::vector<Problem> result;
   for (const v1::Problem& one : problems) result.push_back(from_wire(one));
   return result;

@@ -70,10 +70,9 @@ void CheckedScene::check(DigestCache& digests) {
 
 std::vector<Problem> CheckedScene::check_spectra() const {
   return validate_spectra(scene(), [this](const std::string& name) -> Result<std::string> {
-    const Asset* asset = find_asset(name);
-    auto bytes = asset ? read_file(asset->path, max_spectrum_file) : problem("");
-    if (!bytes) return problem("cannot read \"" + name + "\"");
-    return std::move(*bytes);
+    if (const Asset* asset = find_asset(name))
+      if (Result<std::string> bytes = read_file(asset->path, max_spectrum_file)) return bytes;
+    return problem("cannot read \"" + name + "\"");
   });
 }
 

@@ -14,13 +14,15 @@ namespace metamer {
 
 namespace {
 
-// "Did you mean" lists a folder; a scene whose folder is not there at all needs it no more often.
+// "Did you mean" lists a folder; a scene whose folder is not there at all needs
+// it no more often.
 constexpr std::size_t max_guesses = 10;
 
 /// Collects each file once, in the order in which the scene names them.
 class Collector {
  public:
-  explicit Collector(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  Collector(std::filesystem::path folder, const DigestOf& digest_of)
+      : folder_(std::move(folder)), digest_of_(digest_of) {}
 
   void add_spectrum(const v1::Spectrum& spectrum, const std::string& field) {
     if (spectrum.source_case() != v1::Spectrum::kFile) return;
@@ -49,7 +51,8 @@ class Collector {
   }
 
  private:
-  /// The asset if it is new and sound; else null. `prefix` begins the problems' messages.
+  /// The asset if it is new and sound; else null. `prefix` begins the problems'
+  /// messages.
   const Asset* add(const std::string& name, const std::string& field, std::uint64_t limit,
                    const std::string& prefix = {}) {
     if (name.empty() || !seen_.insert(name).second) return nullptr;
@@ -59,7 +62,7 @@ class Collector {
       findings_.add(field, prefix + path.error().message);
       return nullptr;
     }
-    const auto digest = digest_file(*path, limit);
+    const auto digest = digest_of_(*path, limit);
     if (!digest) {
       findings_.add(field, prefix + "file " + quoted(name) + " " + digest.error().message);
       return nullptr;
@@ -73,6 +76,7 @@ class Collector {
   }
 
   std::filesystem::path folder_;
+  const DigestOf& digest_of_;
   std::set<std::string> seen_;
   std::vector<Asset> assets_;
   Findings findings_;
@@ -81,8 +85,8 @@ class Collector {
 }  // namespace
 
 tl::expected<std::vector<Asset>, std::vector<Problem>> collect_assets(
-    const v1::Scene& scene, const std::filesystem::path& folder) {
-  Collector collector(folder.empty() ? std::filesystem::path(".") : folder);
+    const v1::Scene& scene, const std::filesystem::path& folder, const DigestOf& digest_of) {
+  Collector collector(folder.empty() ? std::filesystem::path(".") : folder, digest_of);
   for_each_spectrum(scene, [&](const v1::Spectrum& spectrum, const std::string& field,
                                SpectrumRole) { collector.add_spectrum(spectrum, field); });
   for (int i = 0; i < scene.object_size(); ++i) {

@@ -7,6 +7,8 @@
 namespace metamer::cli {
 namespace {
 
+using client::replaced_by;
+
 v1::Scene scene_from(const std::string& text) {
   v1::Scene scene;
   EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(text, &scene));
@@ -97,7 +99,7 @@ TEST(Overrides, FittedAsksForPointSamplingAndReplacesAllPositions) {
   const auto replaced = apply(overrides, scene);
   ASSERT_TRUE(replaced);
   EXPECT_EQ(scene.settings().method().point().ShortDebugString(), "fitted: 8");
-  EXPECT_EQ(option_of(*replaced, "settings.method.point.fitted"), "--fitted");
+  EXPECT_EQ(replaced_by(*replaced, "settings.method.point.fitted"), "--fitted");
   overrides.samples = "400:700:5";
   EXPECT_EQ(error_of(overrides), "--fitted excludes --samples and --wavelengths");
 }
@@ -160,12 +162,12 @@ TEST(Overrides, WhatTheyReplacedIsTheirs) {
   overrides.lights = {"sun=A"};
   const auto replaced = apply(overrides, scene);
   ASSERT_TRUE(replaced);
-  EXPECT_EQ(option_of(*replaced, "settings.spp"), "--spp");
-  EXPECT_EQ(option_of(*replaced, "settings.method.point.step"), "--samples");
-  EXPECT_EQ(option_of(*replaced, "light[1].spectrum.standard"), "--light");
-  EXPECT_EQ(option_of(*replaced, "light[0].spectrum.standard"), "");
-  EXPECT_EQ(option_of(*replaced, "light[1].position"), "");
-  EXPECT_EQ(option_of(*replaced, "settings.spp_of_another_kind"), "");
+  EXPECT_EQ(replaced_by(*replaced, "settings.spp"), "--spp");
+  EXPECT_EQ(replaced_by(*replaced, "settings.method.point.step"), "--samples");
+  EXPECT_EQ(replaced_by(*replaced, "light[1].spectrum.standard"), "--light");
+  EXPECT_EQ(replaced_by(*replaced, "light[0].spectrum.standard"), "");
+  EXPECT_EQ(replaced_by(*replaced, "light[1].position"), "");
+  EXPECT_EQ(replaced_by(*replaced, "settings.spp_of_another_kind"), "");
 }
 
 TEST(Overrides, ABackendAndItsPassesAreSettings) {

@@ -1,9 +1,9 @@
 // What a plan says of the picture's colours, made ready for a file.
-#include "client/cli/development.h"
+#include "client/tools/planned_developing.h"
 
 #include <gtest/gtest.h>
 
-namespace metamer::cli {
+namespace metamer::client {
 namespace {
 
 v1::Plan plan_of(v1::Adaptation adaptation, v1::RgbSpace space, const std::vector<double>& white) {
@@ -56,4 +56,4 @@ TEST(PlannedDeveloping, RefusesASpaceThatThereCannotBe) {
 }
 
 }  // namespace
-}  // namespace metamer::cli
+}  // namespace metamer::client
