@@ -12,8 +12,8 @@ namespace {
 
 namespace asio = boost::asio;
 
-/// `listen` begins to handle interrupts: not while we wait for another machine
-/// to accept, where the system's way of dying is the quicker one.
+/// `listen` begins to handle interrupts: not while we wait for another machine to accept, where the
+/// system's way of dying is the quicker one.
 asio::awaitable<ExitCode> connect_and_work(std::string server, Report& report, const Work& work,
                                            const std::function<void()>& listen) {
   const bool named = !server.empty();
@@ -71,9 +71,7 @@ std::string server_name(const CommonOptions& options) {
 ExitCode with_server(const CommonOptions& options, Report& report, Work work) {
   const std::string server = server_name(options);
   if (server.empty()) {
-    report.error(
-        "no server named: use --server unix:PATH or HOST:PORT, or set "
-        "METAMER_SERVER");
+    report.error("no server named: use --server unix:PATH or HOST:PORT, or set METAMER_SERVER");
     return ExitCode::bad_input;
   }
   asio::io_context loop(1);

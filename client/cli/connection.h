@@ -5,15 +5,15 @@
 #include <functional>
 
 #include "client/cli/exit_code.h"
-#include "client/cli/options.h"
 #include "client/cli/report.h"
+#include "client/cli/shared_options.h"
 #include "client/session/session.h"
 
 namespace metamer::cli {
 
-/// Ctrl-C and SIGTERM of a command that has something to cancel. The first one
-/// does what on_first() says, or ends the loop where nothing has been said yet;
-/// the second one leaves at once.
+/// Ctrl-C and SIGTERM of a command that has something to cancel. The first one does what
+/// on_first() says, or ends the loop where nothing has been said yet; the second one leaves at
+/// once.
 class Interrupts {
  public:
   explicit Interrupts(boost::asio::io_context& loop);
@@ -30,12 +30,11 @@ class Interrupts {
 /// What a subcommand does with a server.
 using Work = std::function<boost::asio::awaitable<ExitCode>(Session&)>;
 
-/// Connects to the server that the options or METAMER_SERVER name, and works
-/// with it; prints why where that fails. No server named is an error of usage.
+/// Connects to the server that the options or METAMER_SERVER name, and works with it; prints why
+/// where that fails. No server named is an error of usage.
 ExitCode with_server(const CommonOptions& options, Report& report, Work work);
 
-/// The same, but starts a private server where none is named, and handles
-/// interrupts.
+/// The same, but starts a private server where none is named, and handles interrupts.
 using InterruptibleWork = std::function<boost::asio::awaitable<ExitCode>(Session&, Interrupts&)>;
 ExitCode with_any_server(const CommonOptions& options, Report& report, InterruptibleWork work);
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "client/cli/names.h"
+
 namespace metamer::cli {
 
 /// What the program says to the shell; README.md and --help list the same.

@@ -1,5 +1,8 @@
 #include "client/cli/follow.h"
 
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+
 #include "client/cli/progress.h"
 #include "client/session/problems.h"
 #include "client/tools/promise_text.h"
@@ -44,6 +47,11 @@ boost::asio::awaitable<Answer<JobRecord>> follow(Session& session, std::uint64_t
     view.show(event);
   };
   co_return co_await record_job(session, job_id, parts, show);
+}
+
+void request_cancel(const boost::asio::any_io_executor& executor, Session& session,
+                    std::uint64_t job_id) {
+  boost::asio::co_spawn(executor, session.cancel(job_id), boost::asio::detached);
 }
 
 ExitCode conclude(const JobRecord& job, const CheckedScene* scene, Report& report) {

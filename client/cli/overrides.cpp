@@ -80,8 +80,8 @@ Result<void> add_method(const Overrides& overrides, Look& look) {
   return {};
 }
 
-/// Positions ask for point sampling by themselves, and replace the scene's as a
-/// whole: a step of the scene does not go with a range from here.
+/// Positions ask for point sampling by themselves, and replace the scene's as a whole: a step of
+/// the scene does not go with a range from here.
 void set_point(const v1::Point& point, const char* option, Look& look) {
   *look.settings.mutable_method()->mutable_point() = point;
   for (const std::string& field : field_names(*v1::Point::descriptor()))

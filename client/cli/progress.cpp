@@ -11,8 +11,6 @@
 
 namespace metamer::cli {
 
-using namespace client;
-
 namespace {
 
 unsigned percent(const v1::Progress& progress) {

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "client/cli/names.h"
 #include "metamer/v1/jobs.pb.h"
 
 namespace metamer::cli {

@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <iostream>
 
-#include "client/cli/commands.h"
 #include "client/session/problems.h"
 
 namespace metamer::cli {
@@ -70,19 +69,12 @@ void Report::line(const std::string& text) {
 ExitCode Report::finish(ExitCode code) {
   if (json_) {
     document_["exit_code"] = static_cast<int>(code);
-    // Bytes of a file's text may be no UTF-8: write a mark in their place
-    // rather than nothing.
+    // Bytes of a file's text may be no UTF-8: write a mark in their place rather than nothing.
     std::cout << document_.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   }
   std::cout.flush();
   if (!std::cout && code == ExitCode::done) return ExitCode::other;
   return code;
-}
-
-ExitCode refuse_words(const std::string& why) {
-  Report report(true);
-  report.error(why);
-  return report.finish(ExitCode::bad_input);
 }
 
 }  // namespace metamer::cli

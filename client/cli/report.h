@@ -10,12 +10,8 @@
 
 namespace metamer::cli {
 
-/// A subcommand is made of what every client has.
-using namespace client;
-
-/// What a subcommand has to say. People read errors and notes on stderr as they
-/// come; with --json the same facts also stand in the one document that
-/// finish() prints on stdout.
+/// What a subcommand has to say. People read errors and notes on stderr as they come; with --json
+/// the same facts also stand in the one document that finish() prints on stdout.
 class Report {
  public:
   explicit Report(bool json) : json_(json) {}
@@ -32,15 +28,13 @@ class Report {
   void described_problem(const Problem& problem, const std::string& text);
   /// Something worth knowing.
   void note(const Problem& note);
-  /// A session's failure, with the problems that came with it. Returns the exit
-  /// code it means.
+  /// A session's failure, with the problems that came with it. Returns the exit code it means.
   ExitCode session_error(const SessionError& error);
 
   /// A line of the answer on stdout; nothing with --json.
   void line(const std::string& text);
 
-  /// The last call: prints the document with --json. Error: stdout can't be
-  /// written.
+  /// The last call: prints the document with --json. Error: stdout can't be written.
   ExitCode finish(ExitCode code);
 
  private:

@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "client/cli/options.h"
 #include "client/cli/report.h"
+#include "client/cli/shared_options.h"
 #include "client/tools/checked_scene.h"
 #include "metamer/v1/plan.pb.h"
 
 namespace metamer::cli {
 
-/// Reads the scene, puts the options in place of its settings, and checks it
-/// and all that it names. Reports every problem found; nothing then.
+/// Reads the scene, puts the options in place of its settings, and checks it and all that it names.
+/// Reports every problem found; nothing then.
 std::optional<CheckedScene> load_scene(const std::string& file, const Overrides& overrides,
                                        Report& report);
 

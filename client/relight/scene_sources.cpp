@@ -1,6 +1,6 @@
 #include "client/relight/scene_sources.h"
 
-namespace metamer {
+namespace metamer::client {
 
 Spectrum to_spectrum(const v1::SampledSpectrum& from) {
   return {{from.nm().begin(), from.nm().end()}, {from.values().begin(), from.values().end()}};
@@ -18,4 +18,4 @@ SceneSources::SceneSources(const v1::SceneFactors& scene) {
   }
 }
 
-}  // namespace metamer
+}  // namespace metamer::client

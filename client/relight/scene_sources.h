@@ -5,7 +5,7 @@
 #include "common/transport/factor_sources.h"
 #include "metamer/v1/factors.pb.h"
 
-namespace metamer {
+namespace metamer::client {
 
 Spectrum to_spectrum(const v1::SampledSpectrum& from);
 
@@ -25,4 +25,4 @@ class SceneSources {
   FactorSources factors_;
 };
 
-}  // namespace metamer
+}  // namespace metamer::client

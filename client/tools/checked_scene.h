@@ -15,7 +15,8 @@
 namespace metamer::client {
 
 /// A scene as far as this side can check it: parsed, changed, validated, with the files that it
-/// names, and all that is wrong with it, each problem at its place. Sound ones are ready to be sent.
+/// names, and all that is wrong with it, each problem at its place. Sound ones are ready to be
+/// sent.
 class CheckedScene {
  public:
   /// A change to a scene after it was parsed; says what it replaced.

@@ -25,7 +25,7 @@ nanoseconds DigestCache::system_now() {
 }
 
 bool DigestCache::stamp_of(const fs::path& file, Stamp& stamp) {
-  struct stat status{};
+  struct stat status {};
   if (stat(file.c_str(), &status) != 0) return false;
   stamp = {.device = status.st_dev,
            .inode = status.st_ino,
@@ -59,10 +59,9 @@ Result<FileDigest> DigestCache::digest(const fs::path& file, std::uint64_t limit
 
 void DigestCache::keep(const fs::path& file, const Stamp& stamp, const FileDigest& digest) {
   if (entries_.size() >= capacity_) {
-    const auto oldest =
-        std::min_element(entries_.begin(), entries_.end(), [](const auto& a, const auto& b) {
-          return a.second.used < b.second.used;
-        });
+    const auto oldest = std::min_element(
+        entries_.begin(), entries_.end(),
+        [](const auto& a, const auto& b) { return a.second.used < b.second.used; });
     entries_.erase(oldest);
   }
   entries_[file] = {stamp, digest, calls_};

@@ -14,8 +14,7 @@ namespace metamer {
 
 namespace {
 
-// "Did you mean" lists a folder; a scene whose folder is not there at all needs
-// it no more often.
+// "Did you mean" lists a folder; a scene whose folder is not there at all needs it no more often.
 constexpr std::size_t max_guesses = 10;
 
 /// Collects each file once, in the order in which the scene names them.
@@ -51,8 +50,7 @@ class Collector {
   }
 
  private:
-  /// The asset if it is new and sound; else null. `prefix` begins the problems'
-  /// messages.
+  /// The asset if it is new and sound; else null. `prefix` begins the problems' messages.
   const Asset* add(const std::string& name, const std::string& field, std::uint64_t limit,
                    const std::string& prefix = {}) {
     if (name.empty() || !seen_.insert(name).second) return nullptr;

@@ -13,13 +13,12 @@
 
 namespace metamer {
 
-/// A scene as read from a file: the message, its text, and where each field of
-/// it stands. Immutable and movable.
+/// A scene as read from a file: the message, its text, and where each field of it stands.
+/// Immutable and movable.
 class SceneFile {
  public:
-  /// Parses protobuf text format. Errors carry file, line and column; unknown
-  /// fields, enum values and the like say what was perhaps meant. `file` is the
-  /// name used in errors.
+  /// Parses protobuf text format. Errors carry file, line and column; unknown fields, enum values
+  /// and the like say what was perhaps meant. `file` is the name used in errors.
   static Result<SceneFile> parse(std::string text, std::string file);
   /// The same from a file of at most max_scene_text bytes.
   static Result<SceneFile> read(const std::filesystem::path& file);
@@ -33,9 +32,9 @@ class SceneFile {
   const std::string& text() const;
   const std::string& file() const;
 
-  /// Adds file, line and column to a problem that has only a field path
-  /// ("light[0].spectrum.file", as validate_scene writes them). A field that
-  /// the text leaves out is located at its nearest parent that the text has.
+  /// Adds file, line and column to a problem that has only a field path ("light[0].spectrum.file",
+  /// as validate_scene writes them). A field that the text leaves out is located at its nearest
+  /// parent that the text has.
   Problem locate(Problem problem) const;
 
  private:
@@ -55,15 +54,14 @@ struct Asset {
   Digest sha256{};
 };
 
-/// Size and SHA-256 of a file of at most `limit` bytes: digest_file, or what
-/// remembers what it said.
+/// Size and SHA-256 of a file of at most `limit` bytes: digest_file, or what remembers what it
+/// said.
 using DigestOf =
     std::function<Result<FileDigest>(const std::filesystem::path& file, std::uint64_t limit)>;
 
-/// Every file that the scene names, once each, and the buffers that a .gltf
-/// names. Paths resolve relative to `folder` and may not leave it, also not
-/// through "..", an absolute path or a symbolic link. All the problems found: a
-/// missing file, a folder, one over max_asset bytes.
+/// Every file that the scene names, once each, and the buffers that a .gltf names. Paths resolve
+/// relative to `folder` and may not leave it, also not through "..", an absolute path or a
+/// symbolic link. All the problems found: a missing file, a folder, one over max_asset bytes.
 tl::expected<std::vector<Asset>, std::vector<Problem>> collect_assets(
     const v1::Scene& scene, const std::filesystem::path& folder,
     const DigestOf& digest_of = digest_file);

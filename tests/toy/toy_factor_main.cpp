@@ -16,6 +16,7 @@
 namespace {
 
 using namespace metamer;
+using namespace metamer::client;
 
 int failures = 0;
 

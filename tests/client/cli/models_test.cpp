@@ -6,9 +6,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "client/cli/commands.h"
-#include "client/cli/gnuplot.h"
-#include "client/cli/models_text.h"
+#include "client/cli/commands/models/models_text.h"
+#include "client/cli/output/gnuplot.h"
+#include "tests/client/cli/said.h"
 
 namespace metamer::cli {
 namespace {
@@ -65,11 +65,10 @@ class Plot : public testing::Test {
 };
 
 TEST_F(Plot, WritesNumbersAndPictures) {
-  PlotOptions options;
-  options.names = {"lambert"};
-  options.set = {"incidence=60", "diffuseness=1"};
-  options.folder = (folder_ / "new").string();
-  ASSERT_EQ(plot_models(options), ExitCode::done);
+  ASSERT_EQ(say({"models", "plot", "lambert", "--set", "incidence=60", "--set", "diffuseness=1",
+                 "-o", (folder_ / "new").string()})
+                .code,
+            ExitCode::done);
 
   // Lambert's ρ is N·L in all directions.
   std::istringstream lines(contents(folder_ / "new" / "model-lambert.csv"));
@@ -100,30 +99,23 @@ TEST_F(Plot, AFailedPictureLeavesTheOldOneAndNothingElse) {
 TEST_F(Plot, WithoutGnuplotKeepsTheNumbers) {
   const std::string path = getenv("PATH");
   setenv("PATH", folder_.c_str(), 1);
-  PlotOptions options;
-  options.names = {"lambert"};
-  options.folder = folder_.string();
-  testing::internal::CaptureStderr();
-  const ExitCode code = plot_models(options);
-  const std::string said = testing::internal::GetCapturedStderr();
+  const Said said = say({"models", "plot", "lambert", "-o", folder_.string()});
   setenv("PATH", path.c_str(), 1);
 
-  EXPECT_EQ(code, ExitCode::other);
-  EXPECT_EQ(said, "error: there is no gnuplot to draw with; install the package gnuplot-nox\n");
+  EXPECT_EQ(said.code, ExitCode::other);
+  EXPECT_EQ(said.err, "error: there is no gnuplot to draw with; install the package gnuplot-nox\n");
   EXPECT_TRUE(fs::exists(folder_ / "model-lambert.csv"));
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 
 TEST_F(Plot, RefusesBadWordsBeforeItWritesAnything) {
-  PlotOptions options;
-  options.folder = (folder_ / "new").string();
-  EXPECT_EQ(plot_models(options), ExitCode::bad_input) << "no names";
-  options.names = {"lambert"};
-  options.set = {"diffuseness=2"};
-  EXPECT_EQ(plot_models(options), ExitCode::bad_input) << "out of range";
-  options.set.clear();
-  options.figures = true;
-  EXPECT_EQ(plot_models(options), ExitCode::bad_input) << "names and --figures";
+  std::vector<std::string> words = {"models", "plot", "-o", (folder_ / "new").string()};
+  EXPECT_EQ(say(words).code, ExitCode::bad_input) << "no names";
+  words.insert(words.end(), {"lambert", "--figures"});
+  EXPECT_EQ(say(words).code, ExitCode::bad_input) << "names and --figures";
+  words.back() = "--set";
+  words.push_back("diffuseness=2");
+  EXPECT_EQ(say(words).code, ExitCode::bad_input) << "out of range";
   EXPECT_FALSE(fs::exists(folder_ / "new"));
 }
 

@@ -1,5 +1,5 @@
 // `metamer tradeoff` without a server: its cases, its front, its tables.
-#include "client/cli/tradeoff.h"
+#include "client/cli/commands/tradeoff/tradeoff.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,270 @@
+// Two pictures, colour by colour. No server is asked.
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <tuple>
+
+#include "client/cli/commands.h"
+#include "client/cli/commands/compare/compare_json.h"
+#include "client/cli/report.h"
+#include "client/cli/shared_options.h"
+#include "client/tools/comparison.h"
+#include "client/tools/formatted.h"
+#include "common/image/picture_file.h"
+
+namespace metamer::cli {
+namespace {
+
+using client::Pixel;
+using client::White;
+
+/// Two picture files; no server.
+struct CompareOptions {
+  bool json = false;
+  std::string a, b;
+  std::string metric = "de00";             ///< "de00", "deuv", "deab"
+  std::optional<double> max;               ///< More than this anywhere is a failure.
+  std::string output;                      ///< A .png of the differences; empty: none.
+  std::optional<double> scale;             ///< The difference that is drawn white.
+  std::string white;                       ///< "0.95,1,1.09" or "D50"
+  std::string under;                       ///< What lights reflectances: "F11"
+  std::string observer = "cie-1931-2deg";  ///< or "cie-1964-10deg"
+};
+
+Metric metric_of(const std::string& word) {
+  return word == "deuv" ? Metric::deuv : word == "deab" ? Metric::deab : Metric::de00;
+}
+
+cie::Observer chosen_observer(const std::string& word) {
+  return word == "cie-1964-10deg" ? cie::Observer::cie_1964_10deg : cie::Observer::cie_1931_2deg;
+}
+
+Result<const Spectrum*> find_illuminant(const std::string& option, const std::string& name) {
+  if (const Spectrum* found = cie::illuminant(name)) return found;
+  return problem(option + ": no illuminant named " + quoted(name) +
+                 did_you_mean(name, cie::illuminant_names()));
+}
+
+/// "0.95,1,1.09"; nothing when it is not three numbers.
+std::optional<Xyz> parse_xyz(std::string_view text) {
+  Xyz xyz{};
+  const char *next = text.data(), *const end = text.data() + text.size();
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (c > 0 && (next == end || *next++ != ',')) return std::nullopt;
+    const auto [after, error] = std::from_chars(next, end, xyz[c]);
+    if (error != std::errc{}) return std::nullopt;
+    next = after;
+  }
+  return next == end ? std::optional(xyz) : std::nullopt;
+}
+
+/// What --white says; else the light of --under; else sRGB's white.
+Result<White> find_white(const CompareOptions& options) {
+  const cie::Observer observer = chosen_observer(options.observer);
+  if (options.white.find(',') != std::string::npos) {
+    const std::optional<Xyz> xyz = parse_xyz(options.white);
+    if (!xyz)
+      return problem("--white: " + quoted(options.white) + " is not X,Y,Z, such as 0.95,1,1.09");
+    for (const double value : *xyz)
+      if (!(value > 0) || !std::isfinite(value))
+        return problem("--white: X, Y and Z must be finite and above 0");
+    return White{"X,Y,Z", *xyz};
+  }
+  const std::string& name = options.white.empty() ? options.under : options.white;
+  if (name.empty()) return client::srgb_white();
+  return find_illuminant("--white", name).transform([&](const Spectrum* found) {
+    return White{name, client::white_of(*found, observer)};
+  });
+}
+
+void print_difference(const Difference& difference, Report& report) {
+  const ErrorStatistics& all = difference.statistics;
+  if (all.count == 0) {
+    report.line("no pixel to compare");
+    return;
+  }
+  report.line(formatted("mean %.4g, median %.4g, 95th percentile %.4g, 99th percentile %.4g",
+                        all.mean, all.median, all.percentile_95, all.percentile_99));
+  const Pixel at = client::pixel_at(all.at, difference.width);
+  report.line(formatted("maximum %.4g at (%zu, %zu)", all.maximum, at.x, at.y));
+}
+
+/// Says where the first pixel that is not a number stands, and in which picture.
+void note_not_finite(const Difference& difference, const CompareOptions& options, const Image& a,
+                     Report& report) {
+  const auto first = client::first_not_finite(difference, a);
+  if (!first) return;
+  const std::size_t count = difference.statistics.not_finite;
+  Problem note;
+  note.file = first->picture == 0 ? options.a : options.b;
+  note.message = std::to_string(count) +
+                 (count == 1 ? " pixel has no finite colour in one of the pictures"
+                             : " pixels have no finite colour in one of the pictures") +
+                 formatted(", the first at (%zu, %zu) of this one", first->pixel.x, first->pixel.y);
+  report.note(note);
+}
+
+ExitCode write_difference(const Difference& difference, const CompareOptions& options,
+                          Report& report) {
+  namespace fs = std::filesystem;
+  const std::string title =
+      fs::path(options.a).filename().string() + " and " + fs::path(options.b).filename().string();
+  const auto written =
+      false_color(difference, metric_of(options.metric), options.scale.value_or(0), title)
+          .and_then(
+              [&](const Image& image) { return write_image(image, options.output, false, {}); });
+  if (!written) {
+    report.problem(written.error(), {});
+    return ExitCode::other;
+  }
+  report.document()["files"].push_back(options.output);
+  report.line(options.output);
+  return ExitCode::done;
+}
+
+/// Whether the difference keeps to the limit; says why not.
+ExitCode judge(const Difference& difference, const CompareOptions& options, Report& report) {
+  if (!options.max) return ExitCode::done;
+  const ErrorStatistics& all = difference.statistics;
+  const bool over = client::is_over(all, *options.max);
+  report.document()["limit"] = *options.max;
+  report.document()["over"] = over;
+  if (all.maximum > *options.max)
+    report.error(formatted("the maximum, %.4g, is above the limit, %g", all.maximum, *options.max));
+  if (all.not_finite > 0) report.error("pixels without a finite colour keep to no limit");
+  return over ? ExitCode::other : ExitCode::done;
+}
+
+/// Both pictures; nothing when one can't be read, which is said.
+std::optional<client::PicturePair> read_both(const CompareOptions& options, Report& report) {
+  Viewing viewing{.observer = chosen_observer(options.observer), .under = nullptr};
+  if (!options.under.empty()) {
+    const auto under = find_illuminant("--under", options.under);
+    if (!under) {
+      report.problem(under.error(), {});
+      return std::nullopt;
+    }
+    viewing.under = *under;
+  }
+  auto pictures = client::read_pair({options.a, options.b}, viewing);
+  if (!pictures) {
+    for (const Problem& problem : pictures.error()) report.problem(problem, {});
+    return std::nullopt;
+  }
+  if (viewing.under && !(*pictures)[0].lit && !(*pictures)[1].lit) {
+    report.error("--under: neither picture is a reflectance");
+    return std::nullopt;
+  }
+  if (const auto same = client::same_units(*pictures); !same) {
+    report.error(same.error().message);
+    return std::nullopt;
+  }
+  return std::move(*pictures);
+}
+
+ExitCode compare_with(const CompareOptions& options, Report& report) {
+  const Result<White> white = find_white(options);
+  if (!white) {
+    report.problem(white.error(), {});
+    return ExitCode::bad_input;
+  }
+  const auto pictures = read_both(options, report);
+  if (!pictures) return ExitCode::bad_input;
+  const auto& [a, b] = *pictures;
+  const Metric metric = metric_of(options.metric);
+  const auto difference = metamer::compare(a.image, b.image, metric, white->xyz);
+  if (!difference) {
+    report.problem(difference.error(), {});
+    return ExitCode::bad_input;
+  }
+
+  Json& document = report.document();
+  document["metric"] = options.metric;
+  document["white"] = {{"name", white->name}, {"xyz", white->xyz}};
+  document["observer"] = options.observer;
+  for (const auto& [name, file, what] :
+       {std::tuple("a", options.a, a.what), std::tuple("b", options.b, b.what)}) {
+    document[name] = {{"file", file}, {"what", what}};
+    report.line(file + ": " + what);
+  }
+  document["difference"] = statistics_json(difference->statistics, difference->width);
+  report.line(formatted("%s, white %s: X %.4f Y %.4f Z %.4f", name_of(metric), white->name.c_str(),
+                        white->xyz[0], white->xyz[1], white->xyz[2]));
+  print_difference(*difference, report);
+  note_not_finite(*difference, options, a.image, report);
+  if (!options.output.empty()) {
+    const ExitCode code = write_difference(*difference, options, report);
+    if (code != ExitCode::done) return code;
+  }
+  return judge(*difference, options, report);
+}
+
+ExitCode run(const CompareOptions& options) {
+  Report report(options.json);
+  const std::string& file = options.output;
+  if (!file.empty() && std::filesystem::path(file).extension() != ".png") {
+    report.error("--output: " + quoted(file) + " does not end in .png");
+    return report.finish(ExitCode::bad_input);
+  }
+  const bool drawn = !file.empty();
+  if (drawn || format_of(options.a) == "png" || format_of(options.b) == "png") {
+    if (const auto loaded = load_file_formats(); !loaded) {
+      report.problem(loaded.error(), {});
+      return report.finish(ExitCode::other);
+    }
+  }
+  return report.finish(compare_with(options, report));
+}
+
+void declare(CompareOptions& values, Options& options) {
+  options.push_back({.names = "a",
+                     .target = &values.a,
+                     .meaning = "a .png, or an .exr with X Y Z, RGB or spectra",
+                     .required = true});
+  options.push_back({.names = "b",
+                     .target = &values.b,
+                     .meaning = "another, of the same size",
+                     .required = true});
+  options.push_back({.names = "--metric",
+                     .target = &values.metric,
+                     .meaning = "ΔE00, ΔE*uv or ΔE*ab",
+                     .shows_default = true,
+                     .choices = {"de00", "deuv", "deab"}});
+  options.push_back({.names = "--max",
+                     .target = &values.max,
+                     .meaning = "exit with 1 where a pixel differs by more",
+                     .sign = Option::Sign::not_negative});
+  options.push_back({.names = "-o,--output",
+                     .target = &values.output,
+                     .meaning = "a .png of the differences, with a legend"});
+  options.push_back(
+      {.names = "--scale",
+       .target = &values.scale,
+       .meaning = "the difference that is drawn white; else the 99th percentile, rounded up",
+       .sign = Option::Sign::positive});
+  options.push_back(
+      {.names = "--white",
+       .target = &values.white,
+       .meaning = "what looks white: X,Y,Z or a CIE illuminant; else that of --under, else D65",
+       .type = "WHITE"});
+  options.push_back({.names = "--under",
+                     .target = &values.under,
+                     .meaning = "the CIE illuminant that lights reflectances (T.)",
+                     .type = "ILLUMINANT"});
+  options.push_back({.names = "--observer",
+                     .target = &values.observer,
+                     .meaning = "who sees spectra and illuminants",
+                     .shows_default = true,
+                     .choices = {"cie-1931-2deg", "cie-1964-10deg"}});
+  declare_json(values.json, options);
+}
+
+}  // namespace
+
+Command commands::compare() {
+  return make_command<CompareOptions>("compare", "how far two pictures are apart, as people see it",
+                                      declare, run);
+}
+
+}  // namespace metamer::cli

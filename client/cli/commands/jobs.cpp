@@ -1,0 +1,38 @@
+#include "client/cli/commands.h"
+#include "client/cli/connection.h"
+#include "client/cli/shared_options.h"
+#include "client/tools/job_text.h"
+
+namespace metamer::cli {
+namespace {
+
+struct JobsOptions {
+  CommonOptions common;
+};
+
+boost::asio::awaitable<ExitCode> list_jobs(Session& session, Report& report) {
+  const Answer<v1::JobList> list = co_await session.list();
+  if (!list) co_return report.session_error(list.error());
+  report.document()["jobs"] = Json::array();
+  for (const v1::JobSummary& job : list->job()) {
+    report.document()["jobs"].push_back(to_json(job));
+    report.line(describe(job));
+  }
+  co_return ExitCode::done;
+}
+
+ExitCode run(const JobsOptions& options) {
+  Report report(options.common.json);
+  return report.finish(with_server(options.common, report,
+                                   [&](Session& session) { return list_jobs(session, report); }));
+}
+
+void declare(JobsOptions& values, Options& options) { declare_common(values.common, options); }
+
+}  // namespace
+
+Command commands::jobs() {
+  return make_command<JobsOptions>("jobs", "list the jobs", declare, run);
+}
+
+}  // namespace metamer::cli

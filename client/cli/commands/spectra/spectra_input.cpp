@@ -1,0 +1,169 @@
+#include "client/cli/commands/spectra/spectra_input.h"
+
+#include "client/cli/output/gnuplot.h"
+#include "client/cli/overrides.h"
+#include "common/scene/settings.h"
+
+namespace metamer::cli {
+namespace {
+
+using client::LoadedSpectrum;
+using client::SpectrumKind;
+
+/// --entry and --as.
+std::optional<client::SpectrumChoice> choice_of(const SpectraOptions& options, Report& report) {
+  client::SpectrumChoice choice{.entry = options.entry};
+  if (!options.kind) return choice;
+  if (*options.kind != "emission" && *options.kind != "reflectance") {
+    report.error("--as: " + metamer::quoted(*options.kind) +
+                 " is neither emission nor reflectance");
+    return std::nullopt;
+  }
+  choice.kind = *options.kind == "emission" ? SpectrumKind::emission : SpectrumKind::reflectance;
+  return choice;
+}
+
+/// What was loaded; else says why nothing was.
+template <class T>
+std::optional<T> loaded_or_told(client::SpectrumResult<T>&& loaded, Report& report) {
+  if (loaded) return std::move(*loaded);
+  const client::SpectrumFault& fault = loaded.error();
+  if (fault.choice)
+    report.error(fault.problem.message);
+  else
+    report.problem(fault.problem, fault.source);
+  return std::nullopt;
+}
+
+/// Settings that nothing but these words says.
+Result<v1::Settings> settings_of(const Overrides& words) {
+  v1::Scene scene;
+  return apply(words, scene).map([&](const auto&) { return scene.settings(); });
+}
+
+SpectrumFormat format_of(const SpectraOutputOptions& options) {
+  if (options.format == "pairs") return SpectrumFormat::pairs;
+  if (options.format == "uniform") return SpectrumFormat::uniform;
+  if (options.format == "cgats") return SpectrumFormat::cgats;
+  return client::format_for(options.file);
+}
+
+}  // namespace
+
+void declare_spectra(SpectraOptions& values, Options& options, bool single) {
+  options.push_back(
+      {.names = "files",
+       .target = &values.files,
+       .meaning = "spectrum files, or names of the CIE's illuminants and test colours: D65 TCS09",
+       .required = true,
+       .single = single});
+  options.push_back({.names = "--entry",
+                     .target = &values.entry,
+                     .meaning = "of files with several spectra, the one so named"});
+  options.push_back({.names = "--as",
+                     .target = &values.kind,
+                     .meaning = "emission or reflectance; a file whose values all lie in 0..1 is "
+                                "taken for a reflectance"});
+  declare_json(values.json, options);
+}
+
+void declare_observer(SpectraOptions& values, Options& options) {
+  options.push_back({.names = "--observer",
+                     .target = &values.observer,
+                     .meaning = "cie-1931-2deg or cie-1964-10deg",
+                     .shows_default = true});
+}
+
+void declare_under(SpectraOptions& values, Options& options) {
+  options.push_back({.names = "--under",
+                     .target = &values.under,
+                     .meaning = "the light of reflectances: a name or a file",
+                     .shows_default = true});
+}
+
+void declare_spectra_output(SpectraOutputOptions& values, Options& options, bool required) {
+  options.push_back({.names = "--format",
+                     .target = &values.format,
+                     .meaning = "pairs, uniform or cgats; else by the file's name: .sp is CGATS"});
+  options.push_back({.names = "-o,--output",
+                     .target = &values.file,
+                     .meaning = "a file; printed when left out",
+                     .required = required});
+}
+
+ExitCode refuse(const std::string& why, Report& report) {
+  report.error(why);
+  return report.finish(ExitCode::bad_input);
+}
+
+std::optional<std::vector<LoadedSpectrum>> load_spectra(const SpectraOptions& options,
+                                                        const std::vector<std::string>& files,
+                                                        Report& report) {
+  const auto choice = choice_of(options, report);
+  if (!choice) return std::nullopt;
+  return loaded_or_told(client::load_spectra(files, *choice), report);
+}
+
+std::optional<LoadedSpectrum> load_one(const SpectraOptions& options, const std::string& file,
+                                       Report& report) {
+  const auto choice = choice_of(options, report);
+  if (!choice) return std::nullopt;
+  return loaded_or_told(client::load_one(file, *choice), report);
+}
+
+std::optional<Spectrum> load_light(const std::string& word, const std::string& option,
+                                   Report& report) {
+  auto light = loaded_or_told(client::load_one(word, {.kind = SpectrumKind::emission}), report);
+  if (!light) return std::nullopt;
+  const std::string fault = client::emission_fault(light->spectrum);
+  if (fault.empty()) return std::move(light->spectrum);
+  report.error(option + ": " + fault);
+  return std::nullopt;
+}
+
+Result<cie::Observer> observer_of(const std::string& word) {
+  Overrides words;
+  words.observer = word;
+  return settings_of(words).map(
+      [](const v1::Settings& settings) { return to_observer(settings.observer()); });
+}
+
+Result<Wavelengths> wavelengths_of(const std::optional<std::string>& samples,
+                                   const std::optional<std::string>& wavelengths) {
+  Overrides words;
+  words.samples = samples;
+  words.wavelengths = wavelengths;
+  return settings_of(words).and_then(
+      [](const v1::Settings& settings) { return point_wavelengths(settings.method().point()); });
+}
+
+bool check_spectra_output(const SpectraOutputOptions& options, Report& report) {
+  const auto& format = options.format;
+  if (!format || *format == "pairs" || *format == "uniform" || *format == "cgats") return true;
+  report.error("--format: " + metamer::quoted(*format) + " is none of pairs, uniform and cgats" +
+               did_you_mean(*format, {"pairs", "uniform", "cgats"}));
+  return false;
+}
+
+ExitCode write_spectra(const SpectraOutputOptions& options,
+                       const std::vector<NamedSpectrum>& spectra, Report& report) {
+  const Result<std::string> text = spectra_text(spectra, format_of(options));
+  if (!text) {
+    report.error(text.error().message);
+    return ExitCode::bad_input;
+  }
+  if (options.file.empty()) {
+    report.document()["text"] = *text;
+    report.line(text->substr(0, text->size() - 1));
+    return ExitCode::done;
+  }
+  if (const Result<void> written = write_text_file(options.file, *text); !written) {
+    report.problem(written.error(), {});
+    return ExitCode::other;
+  }
+  report.document()["files"].push_back(options.file);
+  report.line(options.file);
+  return ExitCode::done;
+}
+
+}  // namespace metamer::cli

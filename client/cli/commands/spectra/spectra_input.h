@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/cli/report.h"
+#include "client/cli/shared_options.h"
+#include "client/tools/spectra_files.h"
+#include "common/spectral/cie.h"
+
+/// The words of the `metamer spectra` commands, what they read and what they write. Problems are
+/// reported; nothing then.
+namespace metamer::cli {
+
+/// What `metamer spectra` reads: files, or names of CIE illuminants and test colours.
+struct SpectraOptions {
+  bool json = false;
+  std::vector<std::string> files;
+  std::optional<std::string> entry;        ///< Of files with several spectra: this one.
+  std::optional<std::string> kind;         ///< "emission", "reflectance"
+  std::string observer = "cie-1931-2deg";  ///< Or "cie-1964-10deg".
+  std::string under = "D65";               ///< The light of reflectances.
+};
+
+struct SpectraOutputOptions {
+  std::string file;                   ///< Empty: the text is printed.
+  std::optional<std::string> format;  ///< "pairs", "uniform", "cgats"
+};
+
+/// Files, --entry, --as and --json. `single`: one file.
+void declare_spectra(SpectraOptions& values, Options& options, bool single = false);
+void declare_observer(SpectraOptions& values, Options& options);
+void declare_under(SpectraOptions& values, Options& options);
+/// --format and -o.
+void declare_spectra_output(SpectraOutputOptions& values, Options& options, bool required = false);
+
+std::optional<std::vector<client::LoadedSpectrum>> load_spectra(
+    const SpectraOptions& options, const std::vector<std::string>& files, Report& report);
+/// The same, where only one will do.
+std::optional<client::LoadedSpectrum> load_one(const SpectraOptions& options,
+                                               const std::string& file, Report& report);
+/// A light: a file, or a CIE illuminant. `option` stands in errors.
+std::optional<Spectrum> load_light(const std::string& word, const std::string& option,
+                                   Report& report);
+
+// By the words that render has; errors name the option.
+Result<cie::Observer> observer_of(const std::string& word);
+Result<Wavelengths> wavelengths_of(const std::optional<std::string>& samples,
+                                   const std::optional<std::string>& wavelengths);
+
+/// Writes the file in the format that the options say, else in the one that its name asks for;
+/// without a file prints the text. Errors are reported.
+ExitCode write_spectra(const SpectraOutputOptions& options,
+                       const std::vector<NamedSpectrum>& spectra, Report& report);
+/// Whether those options make sense; reports what does not.
+bool check_spectra_output(const SpectraOutputOptions& options, Report& report);
+
+/// Says why the options make no sense, and ends the report.
+ExitCode refuse(const std::string& why, Report& report);
+
+}  // namespace metamer::cli

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/cli/command.h"
+
+/// Options that several subcommands have, and how each is declared.
+namespace metamer::cli {
+
+/// How to reach a server, and how to answer.
+struct CommonOptions {
+  std::string
+      server;         ///< "unix:PATH" or "HOST:PORT"; empty: a private one, where that makes sense.
+  bool json = false;  ///< One JSON document on stdout.
+};
+
+/// How X Y Z become a picture's numbers, as written.
+struct DevelopmentOptions {
+  std::optional<std::string> adaptation;  ///< "none", "von-kries", "bradford", …
+  std::optional<std::string> rgb;         ///< "srgb", "display-p3", …
+  bool linear = false;
+};
+
+/// What the command line says instead of the scene's own settings, as written.
+struct Overrides {
+  std::optional<std::string> backend;      ///< "cpu", "gl"
+  std::optional<std::string> method;       ///< A name in v1::Method: "point", "rgb".
+  std::optional<std::string> samples;      ///< "400:700:5"
+  std::optional<std::string> wavelengths;  ///< "400,436,546,700"
+  std::optional<std::uint32_t> fitted;     ///< Of point: so many wavelengths for the scene.
+  bool multi_pass = false;                 ///< Of point, by the gl backend.
+  std::optional<std::string> size;         ///< "640x480"
+  std::optional<std::string> observer;     ///< "cie-1931-2deg", "cie-1964-10deg"
+  std::optional<std::string> shading;      ///< "phong", "constant", "gouraud", "quadratic"
+  std::optional<std::uint32_t> bases;      ///< Of linear.
+  std::optional<double> tolerance;         ///< Of auto: ΔE00.
+  std::optional<std::string> deadline;     ///< Of auto: "2s", "2"
+  std::optional<std::uint32_t> spp;
+  std::optional<std::uint32_t> depth;
+  std::optional<std::uint32_t> threads;
+  std::optional<std::uint32_t> tile_size;
+  std::vector<std::string> lights;  ///< "ceiling=A", "*=D65"
+  DevelopmentOptions development;
+};
+
+/// Where pictures go. An .exr holds linear RGB, or XYZ.
+struct OutputOptions {
+  std::vector<std::string> files;
+  std::string exr = "rgb";             ///< "rgb", "xyz", "spectral", "spectral:400:700:10"
+  std::optional<std::string> factors;  ///< For relighting; "": beside the first picture.
+};
+
+using Options = std::vector<Option>;
+
+void declare_json(bool& json, Options& options);
+void declare_common(CommonOptions& common, Options& options);
+void declare_scene(std::string& scene, Options& options);
+void declare_job(std::uint64_t& job_id, Options& options);
+void declare_overrides(Overrides& overrides, Options& options);
+void declare_development(DevelopmentOptions& development, const std::string& group,
+                         Options& options);
+/// -o and --exr.
+void declare_picture_files(OutputOptions& output, Options& options);
+/// The same and --keep-factors.
+void declare_output(OutputOptions& output, Options& options);
+
+}  // namespace metamer::cli
