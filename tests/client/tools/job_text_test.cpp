@@ -27,6 +27,7 @@ TEST(PlanText, IsOneLine) {
   plan.set_materials(1);
   plan.set_triangles(40000);
   plan.set_threads(2);
+  plan.set_backend("cpu");
   plan.mutable_method()->mutable_point();
   EXPECT_EQ(describe(plan),
             "640x480, 1 sample per pixel, point at 61 wavelengths from 400 to 700 nm, 2 lights, "
