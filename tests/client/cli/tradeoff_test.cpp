@@ -1,13 +1,13 @@
-// `metamer tradeoff` without a server: its cases, its front, its tables.
-#include "client/cli/commands/tradeoff/tradeoff.h"
+// What `metamer tradeoff` says of what it found.
+#include "client/cli/commands/tradeoff/tradeoff_texts.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <set>
-
 namespace metamer::cli {
 namespace {
+
+using client::Tradeoff;
+using client::TradeoffRow;
 
 TradeoffRow row(const std::string& name, double seconds, double error) {
   TradeoffRow one;
@@ -21,39 +21,6 @@ TradeoffRow row(const std::string& name, double seconds, double error) {
   return one;
 }
 
-std::string front_of(std::vector<TradeoffRow> rows) {
-  mark_front(rows);
-  std::string names;
-  for (const TradeoffRow& one : rows)
-    if (one.front) names += one.what.method;
-  return names;
-}
-
-TEST(TradeoffFront, HoldsWhatNothingBeatsInBoth) {
-  EXPECT_EQ(front_of({row("a", 1, 9), row("b", 2, 3), row("c", 3, 4), row("d", 4, 1)}), "abd");
-  EXPECT_EQ(front_of({row("d", 4, 1), row("c", 3, 4), row("b", 2, 3), row("a", 1, 9)}), "dba");
-  EXPECT_EQ(front_of({row("a", 1, 0), row("b", 2, 0)}), "a") << "no better, and dearer";
-  EXPECT_EQ(front_of({row("a", 1, 2), row("b", 1, 1)}), "b") << "as cheap, and better";
-  EXPECT_EQ(front_of({}), "");
-}
-
-TEST(TradeoffFront, LeavesOutWhatFailed) {
-  auto failed = row("a", 0, 0);
-  failed.failure = "no such method";
-  EXPECT_EQ(front_of({failed, row("b", 2, 3)}), "b");
-}
-
-TEST(TradeoffCases, HaveNamesOfTheirOwn) {
-  std::set<std::string> stems, settings;
-  for (const TradeoffCase& one : tradeoff_cases()) {
-    stems.insert(one.stem);
-    settings.insert(one.settings.SerializeAsString());
-  }
-  EXPECT_EQ(stems.size(), 29u);
-  EXPECT_EQ(settings.size(), 29u);
-  EXPECT_EQ(tradeoff_cases()[0].method, "rgb");
-}
-
 TEST(TradeoffTables, TellWhatFailedAndWhy) {
   Tradeoff tradeoff;
   tradeoff.plan.set_width(8);
@@ -61,12 +28,6 @@ TEST(TradeoffTables, TellWhatFailedAndWhy) {
   tradeoff.rows[1].error.at = 19;
   tradeoff.rows[1].front = true;
   tradeoff.rows[2].failure = "a, \"b\"";
-  EXPECT_EQ(tradeoff_csv(tradeoff),
-            "method,parameters,prepare_seconds,render_seconds,seconds,relative_to_rgb,mean,median,"
-            "percentile_95,percentile_99,maximum,x,y,not_finite,front,failure\r\n"
-            "rgb,,0.125,0.375,0.5,1,0,0,2,0,4,0,0,0,0,\r\n"
-            "linear,,0.25,0.75,1,2,0,0,0.25,0,0.5,3,2,0,1,\r\n"
-            "point,,,,,,,,,,,,,,0,\"a, \"\"b\"\"\"\r\n");
   const Json json = tradeoff_json(tradeoff);
   EXPECT_EQ(json["rows"][1]["error"]["at"]["x"], 3);
   EXPECT_EQ(json["rows"][2]["failure"], "a, \"b\"");
@@ -81,7 +42,7 @@ TEST(TradeoffScript, NamesTheFrontAndKeepsHostileNamesHarmless) {
   tradeoff.scene = "it's\n`reboot`";
   tradeoff.rows = {row("exact", 1, 0)};
   tradeoff.rows[0].what.settings.mutable_exact();
-  mark_front(tradeoff.rows);
+  client::mark_front(tradeoff.rows);
   const std::string script = tradeoff_script(tradeoff);
   EXPECT_NE(script.find("set label 'exact' at 1,1e-04"), std::string::npos) << script;
   EXPECT_NE(script.find("'Cost and error of every method: it''s?`reboot`'"), std::string::npos);

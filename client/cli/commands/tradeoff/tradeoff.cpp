@@ -1,29 +1,27 @@
-// Every method on one scene. All pictures are rendered by the same server, one after the other,
-// round by round: what else the machine does then slows all of them, and the minimum forgets it.
-#include "client/cli/commands/tradeoff/tradeoff.h"
-
+// Every method on one scene: a table, and a folder of what was found.
 #include <boost/asio/this_coro.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <optional>
 
 #include "client/cli/commands.h"
+#include "client/cli/commands/tradeoff/tradeoff_texts.h"
 #include "client/cli/connection.h"
 #include "client/cli/follow.h"
 #include "client/cli/output/gnuplot.h"
 #include "client/cli/overrides.h"
 #include "client/cli/scene_input.h"
 #include "client/cli/shared_options.h"
-#include "common/color/srgb.h"
-#include "common/image/compare.h"
-#include "common/scene/methods.h"
+#include "client/tools/formatted.h"
+#include "client/tools/tradeoff_run.h"
 
 namespace metamer::cli {
 namespace {
 
 namespace asio = boost::asio;
 namespace fs = std::filesystem;
+using client::Tradeoff;
+using client::TradeoffRow;
+using client::TradeoffStop;
 
 struct TradeoffOptions {
   CommonOptions common;
@@ -33,119 +31,37 @@ struct TradeoffOptions {
   std::uint32_t rounds = 3;
 };
 
-/// Why a job gave no picture; empty: it gave one.
-std::string reason_of(const v1::Failed& failed) {
-  std::string reason = failed.reason();
-  for (const v1::Problem& problem : failed.problem())
-    reason += (reason.empty() ? "" : ": ") +
-              (problem.field().empty() ? "" : problem.field() + ": ") + problem.message();
-  return reason.empty() ? "the job failed" : reason;
+fs::path difference_file(const fs::path& folder, const TradeoffRow& row) {
+  return folder / ("diff-" + row.what.stem + ".png");
 }
 
-/// What a run works with.
-struct Bench {
-  Session& session;
-  Interrupts& interrupts;
-  const CheckedScene& scene;
-  const TradeoffOptions& options;
-};
+void say_round(unsigned round, const Tradeoff& so_far, Report& report) {
+  if (round == 1 && !so_far.white_of_plan)
+    report.note({.field = {},
+                 .file = {},
+                 .message = "the plan has no white of the dominant light; that of D65 stands in"});
+  std::cerr << (round == 0
+                    ? "the reference"
+                    : "round " + std::to_string(round) + " of " + std::to_string(so_far.rounds))
+            << '\n';
+}
 
-/// A job that ended.
-struct Outcome {
-  std::string failure;  ///< Empty: there is a picture, or it was cancelled.
-  JobRecord job;
-};
-
-/// Renders the scene by a method. Errors: the session's, but for a refusal, which is an outcome.
-asio::awaitable<Answer<Outcome>> render_by(const Bench& bench, const v1::Method& method,
-                                           const std::string& name) {
-  v1::Scene scene = bench.scene.scene();
-  *scene.mutable_settings()->mutable_method() = method;
-  const Submission submission =
-      make_submission(scene, bench.scene.assets(), "tradeoff: " + name, false);
-  Outcome outcome;
-  const Answer<std::uint64_t> job_id = co_await bench.session.submit(submission);
-  if (!job_id && job_id.error().kind == SessionError::Kind::refused) {
-    outcome.failure = job_id.error().message;
-    co_return Answer<Outcome>(std::move(outcome));
+/// Says why there are no results. Returns the exit code that it means.
+ExitCode report_stop(const TradeoffStop& stop, Report& report) {
+  switch (stop.kind) {
+    case TradeoffStop::Kind::session:
+      return report.session_error(stop.error);
+    case TradeoffStop::Kind::cancelled:
+      report.error("cancelled");
+      return ExitCode::cancelled;
+    case TradeoffStop::Kind::reference:
+      report.error("the reference can't be rendered: " + stop.problem.message);
+      return ExitCode::job_failed;
+    case TradeoffStop::Kind::picture:
+      report.problem(stop.problem, {});
+      return ExitCode::other;
   }
-  if (!job_id) co_return tl::unexpected<SessionError>(job_id.error());
-
-  const auto executor = co_await asio::this_coro::executor;
-  bench.interrupts.on_first([&session = bench.session, executor, id = *job_id] {
-    request_cancel(executor, session, id);
-  });
-  Answer<JobRecord> job = co_await record_job(bench.session, *job_id, JobParts::picture);
-  bench.interrupts.on_first({});
-  if (!job) co_return tl::unexpected<SessionError>(job.error());
-  if (job->last.has_failed()) outcome.failure = reason_of(job->last.failed());
-  outcome.job = std::move(*job);
-  co_return Answer<Outcome>(std::move(outcome));
-}
-
-/// A perfect white that faces the dominant light; sRGB's where the server gives none, which is
-/// said.
-Xyz white_of(const v1::Plan& plan, const v1::Scene& scene, Report& report) {
-  const auto& white = plan.source_white();
-  if (white.size() != 3 || !(white[0] > 0) || !(white[1] > 0) || !(white[2] > 0)) {
-    Problem note;
-    note.message = "the plan has no white of the dominant light; that of D65 stands in";
-    report.note(note);
-    return srgb::to_xyz({1, 1, 1});
-  }
-  const v1::Light& light = scene.light(0);
-  const double luminance = light.has_luminance() && light.luminance() > 0 ? light.luminance() : 1;
-  return {luminance * white[0], luminance * white[1], luminance * white[2]};
-}
-
-/// Compares a picture with the reference and draws the difference. Error: it can't be written.
-Result<void> measure(const Image& image, const Image& reference, const Tradeoff& tradeoff,
-                     const fs::path& folder, TradeoffRow& row) {
-  const auto difference = metamer::compare(image, reference, Metric::de00, tradeoff.white);
-  if (!difference) return tl::unexpected<Problem>(difference.error());
-  row.error = difference->statistics;
-  return false_color(*difference, Metric::de00, 0,
-                     method_text(row.what.settings) + ", against the reference")
-      .and_then([&](const Image& drawn) {
-        return write_image(drawn, folder / ("diff-" + row.what.stem + ".png"), false, {});
-      })
-      .map([](const GamutReport&) {});
-}
-
-void keep_cheapest(const v1::Timing& timing, bool first, TradeoffRow& row) {
-  if (!first && timing.prepare() + timing.render() >= row.seconds()) return;
-  row.prepare = timing.prepare();
-  row.render = timing.render();
-}
-
-void say(const std::string& text) { std::cerr << text << '\n'; }
-
-/// All rounds of all cases. Gives the exit code of what went wrong.
-asio::awaitable<ExitCode> run_cases(const Bench& bench, const Image& reference, Tradeoff& tradeoff,
-                                    Report& report) {
-  for (unsigned round = 1; round <= tradeoff.rounds; ++round) {
-    say("round " + std::to_string(round) + " of " + std::to_string(tradeoff.rounds));
-    for (TradeoffRow& row : tradeoff.rows) {
-      if (!row.failure.empty()) continue;
-      const Answer<Outcome> outcome = co_await render_by(bench, row.what.settings, row.what.stem);
-      if (!outcome) co_return report.session_error(outcome.error());
-      if (outcome->job.last.has_cancelled()) {
-        report.error("cancelled");
-        co_return ExitCode::cancelled;
-      }
-      row.failure = outcome->failure;
-      if (!row.failure.empty()) continue;
-      keep_cheapest(outcome->job.last.finished().timing(), round == 1, row);
-      if (round > 1) continue;
-      const Result<void> measured =
-          measure(outcome->job.film->image(), reference, tradeoff, bench.options.folder, row);
-      if (!measured) {
-        report.problem(measured.error(), {});
-        co_return ExitCode::other;
-      }
-    }
-  }
-  co_return ExitCode::done;
+  return ExitCode::other;
 }
 
 ExitCode write_results(const Tradeoff& tradeoff, const fs::path& folder, Report& report) {
@@ -161,49 +77,42 @@ ExitCode write_results(const Tradeoff& tradeoff, const fs::path& folder, Report&
     report.problem(written.error(), {});
     code = ExitCode::other;
   };
-  keep(folder / "tradeoff.csv", write_text_file(folder / "tradeoff.csv", tradeoff_csv(tradeoff)));
+  keep(folder / "tradeoff.csv",
+       write_text_file(folder / "tradeoff.csv", client::tradeoff_csv(tradeoff)));
   keep(folder / "tradeoff.json", write_text_file(folder / "tradeoff.json", json + "\n"));
   keep(folder / "tradeoff.png", draw_png(tradeoff_script(tradeoff), folder / "tradeoff.png"));
   for (const TradeoffRow& row : tradeoff.rows)
-    if (row.failure.empty()) keep(folder / ("diff-" + row.what.stem + ".png"), {});
+    if (row.failure.empty()) keep(difference_file(folder, row), {});
   return code;
 }
 
-asio::awaitable<ExitCode> tradeoff_on(const Bench& bench, Report& report) {
-  // The reference also warms the worker up.
-  say("the reference");
-  const Answer<Outcome> reference =
-      co_await render_by(bench, tradeoff_reference(), "the reference");
-  if (!reference) co_return report.session_error(reference.error());
-  const bool cancelled = reference->job.last.has_cancelled();
-  if (cancelled || !reference->failure.empty()) {
-    report.error(cancelled ? "cancelled"
-                           : "the reference can't be rendered: " + reference->failure);
-    co_return cancelled ? ExitCode::cancelled : ExitCode::job_failed;
-  }
-  Tradeoff tradeoff;
-  tradeoff.scene = bench.scene.name();
-  tradeoff.plan = *reference->job.plan;
-  tradeoff.white = white_of(tradeoff.plan, bench.scene.scene(), report);
-  tradeoff.rounds = bench.options.rounds;
-  const v1::Timing& timing = reference->job.last.finished().timing();
-  tradeoff.reference_seconds = timing.prepare() + timing.render();
-  for (TradeoffCase& one : tradeoff_cases()) {
-    tradeoff.rows.emplace_back();
-    tradeoff.rows.back().what = std::move(one);
-  }
-
-  const ExitCode code = co_await run_cases(bench, reference->job.film->image(), tradeoff, report);
-  if (code != ExitCode::done) co_return code;
-  mark_front(tradeoff.rows);
+ExitCode report_results(const Tradeoff& tradeoff, const fs::path& folder, Report& report) {
   for (const std::string& line : tradeoff_table(tradeoff)) report.line(line);
-  char text[80];
-  std::snprintf(text, sizeof text, "reference: %.4f s; white X %.4f Y %.4f Z %.4f",
-                tradeoff.reference_seconds, tradeoff.white[0], tradeoff.white[1],
-                tradeoff.white[2]);
-  report.line(text);
+  report.line(client::formatted("reference: %.4f s; white X %.4f Y %.4f Z %.4f",
+                                tradeoff.reference_seconds, tradeoff.white[0], tradeoff.white[1],
+                                tradeoff.white[2]));
   report.document().update(tradeoff_json(tradeoff));
-  co_return write_results(tradeoff, bench.options.folder, report);
+  return write_results(tradeoff, folder, report);
+}
+
+asio::awaitable<ExitCode> tradeoff_on(Session& session, Interrupts& interrupts,
+                                      const client::TradeoffScene& scene,
+                                      const TradeoffOptions& options, Report& report) {
+  const auto executor = co_await asio::this_coro::executor;
+  client::TradeoffCalls calls;
+  calls.round = [&](unsigned round, const Tradeoff& so_far) { say_round(round, so_far, report); };
+  calls.job = [&](std::optional<std::uint64_t> job_id) {
+    if (!job_id) return interrupts.on_first({});
+    interrupts.on_first(
+        [&session, executor, id = *job_id] { request_cancel(executor, session, id); });
+  };
+  calls.measured = [&](const TradeoffRow& row, const Image& difference) {
+    return write_image(difference, difference_file(options.folder, row), false, {})
+        .map([](const GamutReport&) {});
+  };
+  const auto tradeoff = co_await client::run_tradeoff(session, scene, options.rounds, calls);
+  co_return tradeoff ? report_results(*tradeoff, options.folder, report)
+                     : report_stop(tradeoff.error(), report);
 }
 
 /// Whether the options make sense here; says why not.
@@ -225,12 +134,11 @@ ExitCode run(const TradeoffOptions& options) {
   if (!check_options(options, report)) return report.finish(ExitCode::bad_input);
   const auto scene = load_scene(options.scene, options.overrides, report);
   if (!scene) return report.finish(ExitCode::bad_input);
+  const client::TradeoffScene sent{scene->scene(), scene->assets(), scene->name()};
   const ExitCode code =
-      with_any_server(options.common, report,
-                      [&](Session& session, Interrupts& interrupts) -> asio::awaitable<ExitCode> {
-                        const Bench bench{session, interrupts, *scene, options};
-                        co_return co_await tradeoff_on(bench, report);
-                      });
+      with_any_server(options.common, report, [&](Session& session, Interrupts& interrupts) {
+        return tradeoff_on(session, interrupts, sent, options, report);
+      });
   return report.finish(code);
 }
 

@@ -4,13 +4,16 @@
 #include <cmath>
 #include <cstdio>
 
-#include "client/cli/commands/tradeoff/tradeoff.h"
+#include "client/cli/commands/tradeoff/tradeoff_texts.h"
 #include "client/cli/output/gnuplot.h"
 #include "common/problem.h"
 #include "common/scene/methods.h"
 
 namespace metamer::cli {
 namespace {
+
+using client::Tradeoff;
+using client::TradeoffRow;
 
 /// ΔE00 that nobody can see and f32 hardly tells; smaller ones are drawn here, because a logarithm
 /// has no zero.

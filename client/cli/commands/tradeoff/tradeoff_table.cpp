@@ -1,33 +1,19 @@
 // What a trade came to: for people, for programs.
-#include <array>
-#include <cstdio>
 #include <optional>
 
 #include "client/cli/commands/compare/compare_json.h"
-#include "client/cli/commands/tradeoff/tradeoff.h"
-#include "client/tools/csv.h"
+#include "client/cli/commands/tradeoff/tradeoff_texts.h"
 #include "client/tools/formatted.h"
-#include "common/problem.h"
 
 namespace metamer::cli {
-namespace {
-
-using client::csv_field;
-
-/// Seconds that the naive rgb took; nothing where it failed.
-std::optional<double> rgb_seconds(const Tradeoff& tradeoff) {
-  for (const TradeoffRow& row : tradeoff.rows)
-    if (row.what.method == "rgb" && row.failure.empty() && row.seconds() > 0) return row.seconds();
-  return std::nullopt;
-}
-
-}  // namespace
+using client::Tradeoff;
+using client::TradeoffRow;
 
 std::vector<std::string> tradeoff_table(const Tradeoff& tradeoff) {
   std::vector<std::string> lines = {formatted("%-10s %-19s %9s %8s %9s %9s %9s", "method",
                                               "parameters", "seconds", "/ rgb", "mean", "95 %",
                                               "max")};
-  const std::optional<double> rgb = rgb_seconds(tradeoff);
+  const std::optional<double> rgb = client::rgb_seconds(tradeoff);
   for (const TradeoffRow& row : tradeoff.rows) {
     std::string line =
         formatted("%-10s %-19s ", row.what.method.c_str(), row.what.parameters.c_str());
@@ -44,36 +30,9 @@ std::vector<std::string> tradeoff_table(const Tradeoff& tradeoff) {
   return lines;
 }
 
-std::string tradeoff_csv(const Tradeoff& tradeoff) {
-  std::string text =
-      "method,parameters,prepare_seconds,render_seconds,seconds,relative_to_rgb,mean,median,"
-      "percentile_95,percentile_99,maximum,x,y,not_finite,front,failure\r\n";
-  const std::optional<double> rgb = rgb_seconds(tradeoff);
-  const std::size_t width = tradeoff.plan.width();
-  for (const TradeoffRow& row : tradeoff.rows) {
-    text += csv_field(row.what.method) + "," + csv_field(row.what.parameters);
-    if (row.failure.empty()) {
-      for (const double number : {row.prepare, row.render, row.seconds()})
-        text += "," + number_text(number);
-      text += "," + (rgb ? number_text(row.seconds() / *rgb) : std::string());
-      const ErrorStatistics& error = row.error;
-      for (const double number :
-           {error.mean, error.median, error.percentile_95, error.percentile_99, error.maximum})
-        text += "," + number_text(number);
-      for (const std::size_t count : {error.at % width, error.at / width, error.not_finite})
-        text += "," + std::to_string(count);
-      text += std::string(row.front ? ",1" : ",0") + ",";
-    } else {
-      text += ",,,,,,,,,,,,,0," + csv_field(row.failure);
-    }
-    text += "\r\n";
-  }
-  return text;
-}
-
 Json tradeoff_json(const Tradeoff& tradeoff) {
   Json rows = Json::array();
-  const std::optional<double> rgb = rgb_seconds(tradeoff);
+  const std::optional<double> rgb = client::rgb_seconds(tradeoff);
   for (const TradeoffRow& row : tradeoff.rows) {
     Json json = {{"method", row.what.method},
                  {"parameters", row.what.parameters},

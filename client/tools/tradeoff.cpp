@@ -1,9 +1,11 @@
+#include "client/tools/tradeoff.h"
+
 #include <algorithm>
 #include <limits>
 
-#include "client/cli/commands/tradeoff/tradeoff.h"
+#include "common/spectral/wavelengths.h"
 
-namespace metamer::cli {
+namespace metamer::client {
 namespace {
 
 v1::Method uniform(double from, double to, double step) {
@@ -75,4 +77,10 @@ void mark_front(std::vector<TradeoffRow>& rows) {
   }
 }
 
-}  // namespace metamer::cli
+std::optional<double> rgb_seconds(const Tradeoff& tradeoff) {
+  for (const TradeoffRow& row : tradeoff.rows)
+    if (row.what.method == "rgb" && row.failure.empty() && row.seconds() > 0) return row.seconds();
+  return std::nullopt;
+}
+
+}  // namespace metamer::client

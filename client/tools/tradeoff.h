@@ -1,17 +1,16 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "client/cli/json.h"
 #include "common/color/error_statistics.h"
 #include "common/color/xyz.h"
 #include "metamer/v1/plan.pb.h"
 #include "metamer/v1/scene.pb.h"
 
-/// The parts of `metamer tradeoff`: which methods are run, what they came to, and how that is
-/// shown.
-namespace metamer::cli {
+/// What every method costs on a scene, and how far it is off.
+namespace metamer::client {
 
 /// One method with its parameters.
 struct TradeoffCase {
@@ -36,8 +35,9 @@ struct TradeoffRow {
 /// All that a run found.
 struct Tradeoff {
   std::string scene;
-  v1::Plan plan;  ///< Of the reference.
-  Xyz white{};    ///< Of the differences.
+  v1::Plan plan;               ///< Of the reference.
+  Xyz white{};                 ///< Of the differences.
+  bool white_of_plan = false;  ///< Else that of D65 stands in: the plan has none.
   unsigned rounds = 0;
   double reference_seconds = 0;
   std::vector<TradeoffRow> rows;
@@ -52,12 +52,10 @@ std::vector<TradeoffCase> tradeoff_cases();
 /// 95th percentile than all that are cheaper.
 void mark_front(std::vector<TradeoffRow>& rows);
 
-/// The rows as people read them, a line each, after a line of headings.
-std::vector<std::string> tradeoff_table(const Tradeoff& tradeoff);
+/// Seconds that the naive rgb took; nothing where it failed or took none.
+std::optional<double> rgb_seconds(const Tradeoff& tradeoff);
+
 /// RFC 4180, UTF-8, a line a row; numbers read back as the same doubles.
 std::string tradeoff_csv(const Tradeoff& tradeoff);
-Json tradeoff_json(const Tradeoff& tradeoff);
-/// Makes gnuplot draw seconds against ΔE00 on logarithmic axes, with the front and its names.
-std::string tradeoff_script(const Tradeoff& tradeoff);
 
-}  // namespace metamer::cli
+}  // namespace metamer::client
