@@ -55,6 +55,10 @@ Real fused(Real x, Real y, Real z) {
     return Real(double(x) * double(y) + double(z));
 }
 
+// As C++ has it for eight lanes, of which each chooses for itself.
+Real select(bool which, Real yes, Real no) { return which ? yes : no; }
+Vec3 select(bool which, Vec3 yes, Vec3 no) { return which ? yes : no; }
+
 #define asin steady_asin
 #define acos steady_acos
 #define pow steady_pow

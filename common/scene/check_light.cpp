@@ -1,26 +1,63 @@
+#include <google/protobuf/descriptor.h>
+
 #include <numbers>
 
 #include "common/scene/check_spectrum.h"
+#include "common/scene/light.h"
 #include "common/scene/limits.h"
 #include "common/scene/parts.h"
 #include "common/scene/vectors.h"
 
 namespace metamer {
 
+namespace {
+
+/// "a position, a direction or a spot".
+std::string choices() {
+  const auto& where = *v1::Light::descriptor()->FindOneofByName("where");
+  std::string text;
+  for (int i = 0; i < where.field_count(); ++i) {
+    if (i > 0) text += i + 1 == where.field_count() ? " or " : ", ";
+    text += "a " + where.field(i)->name();
+  }
+  return text;
+}
+
+void check_parameters(const ChosenLight& light, const std::string& field, Findings& findings) {
+  using Kind = lights::Parameter::Kind;
+  for (const lights::Parameter& one : light.entry->parameters) {
+    const std::string place =
+        field + (light.is_vector() ? "." : "." + std::string(light.entry->name) + ".") + one.name;
+    switch (one.kind) {
+      case Kind::position:
+        break;
+      case Kind::direction:
+        if (length(to_vector(light.vector(one))) == 0)
+          findings.add(place, std::string(one.name) + " must not be 0");
+        break;
+      case Kind::angle:
+      case Kind::number:
+        const double value = light.number(one);
+        if (value >= one.min && value <= one.max) break;
+        findings.add(place, std::string(one.name) + " must lie in " + number_text(one.min) + ".." +
+                                number_text(one.max) + " (it is " + number_text(value) +
+                                "); the nearest allowed value is " +
+                                number_text(value < one.min ? one.min : one.max));
+        break;
+    }
+  }
+}
+
+}  // namespace
+
 void check_light(const v1::Light& light, const std::string& field, Findings& findings) {
   if (!check_values(light, field, findings)) return;
 
-  switch (light.where_case()) {
-    case v1::Light::kPosition:
-      break;
-    case v1::Light::kDirection:
-      if (length(to_vector(light.direction())) == 0) {
-        findings.add(field + ".direction", "direction must not be 0");
-      }
-      break;
-    case v1::Light::WHERE_NOT_SET:
-      findings.add(field, "light needs a position or a direction");
-      break;
+  const ChosenLight chosen = chosen_light(light);
+  if (chosen.entry != nullptr) {
+    check_parameters(chosen, field, findings);
+  } else {
+    findings.add(field, "light needs " + choices());
   }
 
   if (light.has_spectrum()) {
@@ -46,7 +83,7 @@ void check_light(const v1::Light& light, const std::string& field, Findings& fin
 
   if (!light.has_reference_distance()) return;
   const std::string distance = field + ".reference_distance";
-  if (light.has_direction()) {
+  if (chosen.entry != nullptr && !lights::is_local(*chosen.entry)) {
     findings.add(distance, "reference_distance is for lights with a position");
   } else if (!(light.reference_distance() > 0)) {
     findings.add(distance, "reference_distance must be above 0 (it is " +

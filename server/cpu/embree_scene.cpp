@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "server/cpu/shared_source.h"
 #include "server/scene/placement.h"
 
 namespace metamer::cpu {
@@ -242,8 +243,8 @@ Hits EmbreeScene::intersect(const Vec8& origin, const Vec8& direction, Int8 acti
   hits.u = select(hits.hit, load(rays.hit.u), Float8{});
   hits.v = select(hits.hit, load(rays.hit.v), Float8{});
   // Turn the normals to the side that the ray came from.
-  hits.geometric_normal = normalize(hits.geometric_normal);
-  hits.normal = normalize(hits.normal);
+  hits.geometric_normal = shared::unit(hits.geometric_normal);
+  hits.normal = shared::unit(hits.normal);
   const Int8 from_behind = dot(hits.geometric_normal, direction) > 0.0f;
   hits.geometric_normal =
       select(from_behind, hits.geometric_normal * broadcast(-1), hits.geometric_normal);

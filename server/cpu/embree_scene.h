@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "server/cpu/corners.h"
 #include "server/cpu/lanes.h"
-#include "server/cpu/triangle_places.h"
 #include "server/scene/render_scene.h"
 
 namespace metamer::cpu {

@@ -1,7 +1,7 @@
 // What an EmbreeScene knows of a point on a surface: normals, tangents, corners.
 
-#include "server/cpu/angles.h"
 #include "server/cpu/embree_scene.h"
+#include "server/cpu/shared_source.h"
 
 namespace metamer::cpu {
 namespace {
@@ -89,7 +89,7 @@ void EmbreeScene::shading_tangents(Hits& hits) const {
     add(hits.tangent, lane, corner_tangent(placed, triangle[1]), u);
     add(hits.tangent, lane, corner_tangent(placed, triangle[2]), v);
   }
-  hits.tangent = steady_tangent(hits.normal, hits.tangent, across);
+  hits.tangent = shared::steady_tangent(hits.normal, hits.tangent, across);
 }
 
 Corners EmbreeScene::corners(int object, int primitive) const {

@@ -30,6 +30,7 @@ inline Vec8 to_lanes(const Eigen::Vector3d& v) {
 inline Vec8 operator+(const Vec8& a, const Vec8& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline Vec8 operator-(const Vec8& a, const Vec8& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline Vec8 operator*(const Vec8& a, Float8 s) { return {a.x * s, a.y * s, a.z * s}; }
+inline Vec8 operator/(const Vec8& a, Float8 s) { return {a.x / s, a.y / s, a.z / s}; }
 inline Float8 dot(const Vec8& a, const Vec8& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 inline Float8 select(Int8 mask, Float8 yes, Float8 no) { return mask ? yes : no; }
@@ -44,12 +45,6 @@ inline Float8 sqrt(Float8 a) {
   Float8 root;
   for (int i = 0; i < lane_count; ++i) root[i] = std::sqrt(a[i]);
   return root;
-}
-
-/// Unit vectors; a vector of length 0 stays 0.
-inline Vec8 normalize(const Vec8& v) {
-  const Float8 squared = dot(v, v);
-  return v * (squared > 0.0f ? 1.0f / sqrt(squared) : squared);
 }
 
 inline bool any(Int8 mask) {

@@ -1,17 +1,11 @@
 #include "server/cpu/shading.h"
 
-#include <limits>
-
+#include "server/cpu/shared_source.h"
 #include "server/cpu/ticks.h"
-#include "server/cpu/triangle_places.h"
 #include "server/transport/expand.h"
 
 namespace metamer::cpu {
 namespace {
-
-/// Shadow rays end a little before the light, so that a surface in which it lies does not hide it.
-constexpr float short_of_light = 0.9999f;
-constexpr float largest = std::numeric_limits<float>::max();
 
 /// The same lane of all eight.
 Vec8 broadcast_lane(const Vec8& v, int lane) {
@@ -19,18 +13,25 @@ Vec8 broadcast_lane(const Vec8& v, int lane) {
           metamer::broadcast(v.z[lane])};
 }
 
-/// Puts the material's colour in the place of the Fresnel term where it is one: C_S, or C_S and
-/// white by Schlick's approximation. An exact one stays.
-void fold_fresnel(FresnelKind kind, models::Lobes<Float8>& lobes) {
-  if (kind == FresnelKind::exact) return;
-  Float8 rise{};
-  if (kind == FresnelKind::schlick) {
-    const Float8 away = 1.0f - lobes.cosine, squared = away * away;
-    rise = squared * squared * away;
+static_assert(static_cast<int>(FresnelKind::none) == shared::fresnel_none &&
+              static_cast<int>(FresnelKind::schlick) == shared::fresnel_schlick &&
+              static_cast<int>(FresnelKind::exact) == shared::fresnel_exact);
+
+static_assert(v1::CONSTANT == shared::constant_shading && v1::GOURAUD == shared::gouraud_shading &&
+              v1::QUADRATIC == shared::quadratic_shading);
+
+/// The places of a triangle, one a lane; lanes beyond the last one repeat the first.
+shared::Place places_of(const Corners& corners, const Vec8& side, int shading) {
+  shared::Triangle at;
+  for (std::size_t i = 0; i < 3; ++i) {
+    at.position[i] = metamer::broadcast(corners.position[i]);
+    at.normal[i] = metamer::broadcast(corners.normal[i]);
+    at.tangent[i] = metamer::broadcast(corners.tangent[i]);
   }
-  lobes.specular += lobes.fresnel * (1.0f - rise);
-  lobes.white += lobes.fresnel * rise;
-  lobes.fresnel = Float8{};
+  at.across = metamer::broadcast(corners.across);
+  Float8 place{};
+  for (int i = 0; i < shared::place_count(shading); ++i) place[i] = static_cast<float>(i);
+  return shared::place_of(at, side, shading, place);
 }
 
 void scale(models::Lobes<Float8>& lobes, Float8 factor) {
@@ -43,14 +44,16 @@ void scale(models::Lobes<Float8>& lobes, Float8 factor) {
 }  // namespace
 
 Shading::Shading(const RenderScene& scene, const EmbreeScene& geometry)
-    : scene_(scene), geometry_(geometry) {
-  for (const RenderLight& light : scene.lights)
-    lights_.push_back({light.directional, to_lanes(light.place),
-                       static_cast<float>(light.reference_distance * light.reference_distance),
-                       metamer::broadcast(static_cast<float>(light.solid_angle))});
+    : scene_(scene), geometry_(geometry), needed_(needed_angles(scene)) {
+  for (const RenderLight& light : scene.lights) {
+    Light& to = lights_.emplace_back();
+    to.light = light.light;
+    to.solid_angle = metamer::broadcast(static_cast<float>(light.solid_angle));
+    const lights::Values<double> values = light.values();
+    for (std::size_t i = 0; i < values.size(); ++i)
+      to.values[i] = metamer::broadcast(static_cast<float>(values[i]));
+  }
   for (const RenderMaterial& material : scene.materials) {
-    needed_.azimuth |= material.reflection.diffuse != models::DiffuseTerm::lambert;
-    needed_.tangent |= material.anisotropic();
     has_ambient_ |= material.has(models::has_ambient);
     has_exact_ |= material.fresnel == FresnelKind::exact;
   }
@@ -60,16 +63,16 @@ void Shading::shade(const Packet& packet, const Hits& hits, Workspace& workspace
   const Places places = find_places(packet, hits, workspace);
   const Int8 ambient = ambient_lanes(hits, packet.active);
   for (std::size_t l = 0; l < lights_.size(); ++l) {
-    // Look towards the light from the surface itself: the lift would show in a near light. Closer
-    // to a light than f32 can say, its weight is infinite: such a point has no colour.
-    const Seen seen = look(lights_[l], packet.hit);
-    const Int8 sound = seen.weight <= largest;
-    const Int8 facing =
-        packet.active & sound & ((dot(hits.normal, seen.direction) > 0.0f) | hits.interpolated);
+    // Look towards the light from the surface itself: the lift would show in a near light.
+    const shared::Incident light =
+        shared::incident(lights_[l].light, lights_[l].values, packet.hit);
+    const Int8 sound = shared::is_finite(light);
+    const Int8 shone = (light.weight > 0.0f) & (dot(hits.normal, light.direction) > 0.0f);
+    const Int8 facing = packet.active & sound & (shone | hits.interpolated);
     Int8 lit{};
     if (any(facing)) {
       workspace.rays += static_cast<unsigned>(count(facing));
-      lit = geometry_.visible(packet.point, seen.direction, seen.length, facing);
+      lit = geometry_.visible(packet.point, light.direction, light.reach, facing);
     }
     const Int8 wanted = lit | (ambient & sound);
     if (!any(wanted)) continue;
@@ -77,22 +80,10 @@ void Shading::shade(const Packet& packet, const Hits& hits, Workspace& workspace
     // Evaluate the models where they are asked for, and gather their lobes.
     const Step step{packet, hits, places, static_cast<std::uint32_t>(l), workspace};
     const Int8 between = lit & hits.interpolated;
-    Lobes lobes = evaluate_hits(step, wanted & ~between, lit, seen);
+    Lobes lobes = evaluate_hits(step, wanted & ~between, lit, light.direction, light.weight);
     if (any(between)) interpolate(step, between, lobes);
     gather(step, lobes, wanted);
   }
-}
-
-Shading::Seen Shading::look(const Light& light, const Vec8& from) {
-  if (light.directional)
-    return {light.place, metamer::broadcast(std::numeric_limits<float>::infinity()),
-            metamer::broadcast(1)};
-  const Vec8 way = light.place - from;
-  const Float8 squared = dot(way, way);
-  const Float8 distance = sqrt(squared);
-  Seen seen{way * (1.0f / distance), distance * short_of_light, metamer::broadcast(1)};
-  if (light.reference_squared > 0) seen.weight = light.reference_squared / squared;
-  return seen;
 }
 
 /// Finds where each lane's light is gathered.
@@ -131,22 +122,21 @@ Shading::Lobes Shading::evaluate(const RenderMaterial& material, const Angles& a
                                  Workspace& workspace) const {
   const bool timed = workspace.evaluations++ % timed_each == 0;
   const std::uint64_t start = timed ? ticks() : 0;
-  Lobes lobes = models::evaluate(material.reflection, angles);
+  const Lobes lobes = models::evaluate(material.reflection, angles);
   if (timed) workspace.timed_ticks += ticks() - start;
-  fold_fresnel(material.fresnel, lobes);
-  return lobes;
+  return shared::fold_fresnel(lobes, static_cast<int>(material.fresnel));
 }
 
 /// Evaluates each material that the lanes have hit, once for all of its lanes. Where a lane is not
 /// lit, N·L is 0.
-Shading::Lobes Shading::evaluate_hits(const Step& step, Int8 lanes, Int8 lit,
-                                      const Seen& seen) const {
+Shading::Lobes Shading::evaluate_hits(const Step& step, Int8 lanes, Int8 lit, const Vec8& to_light,
+                                      Float8 weight) const {
   Lobes lobes{};
   if (!any(lanes)) return lobes;
   const Hits& hits = step.hits;
-  Angles angles = angles_of(hits.normal, hits.tangent, seen.direction,
-                            step.packet.direction * metamer::broadcast(-1),
-                            lights_[step.light].solid_angle, needed_);
+  Angles angles = shared::angles_of(
+      hits.normal, hits.tangent, to_light, step.packet.direction * metamer::broadcast(-1),
+      lights_[step.light].solid_angle, needed_.azimuth, needed_.tangent);
   angles.n_dot_l = select(lit, angles.n_dot_l, Float8{});
   Int8 left = lanes;
   for (int first = 0; first < lane_count; ++first) {
@@ -161,7 +151,7 @@ Shading::Lobes Shading::evaluate_hits(const Step& step, Int8 lanes, Int8 lit,
     lobes.cosine = select(same, own.cosine, lobes.cosine);
     left &= ~same;
   }
-  scale(lobes, select(lanes, seen.weight * step.packet.throughput, Float8{}));
+  scale(lobes, select(lanes, weight * step.packet.throughput, Float8{}));
   return lobes;
 }
 
@@ -184,26 +174,25 @@ void Shading::interpolate(const Step& step, Int8 lanes, Lobes& lobes) const {
     left &= ~same;
 
     // Evaluate the model at the triangle's places.
-    const v1::Shading shading = geometry_.shading(hits.object[first]);
-    const TrianglePlaces places =
-        triangle_places(shading, geometry_.corners(hits.object[first], hits.primitive[first]),
-                        {hits.geometric_normal.x[first], hits.geometric_normal.y[first],
-                         hits.geometric_normal.z[first]});
-    const Seen seen = look(lights_[step.light], places.position);
-    const Vec8 to_eye = normalize(broadcast_lane(eye, first) - places.position);
+    const int shading = static_cast<int>(geometry_.shading(hits.object[first]));
+    const shared::Place places =
+        places_of(geometry_.corners(hits.object[first], hits.primitive[first]),
+                  broadcast_lane(hits.geometric_normal, first), shading);
+    const Light& from = lights_[step.light];
+    const shared::Incident light = shared::incident(from.light, from.values, places.position);
+    const Vec8 to_eye = shared::unit(broadcast_lane(eye, first) - places.position);
     const RenderMaterial& material =
         scene_.materials[static_cast<std::size_t>(hits.material[first])];
     Lobes own = evaluate(material,
-                         angles_of(places.normal, places.tangent, seen.direction, to_eye,
-                                   lights_[step.light].solid_angle, needed_),
+                         shared::angles_of(places.normal, places.tangent, light.direction, to_eye,
+                                           from.solid_angle, needed_.azimuth, needed_.tangent),
                          step.workspace);
-    scale(own, select(seen.weight <= largest, seen.weight, Float8{}));
+    scale(own, select(shared::is_finite(light), light.weight, Float8{}));
 
     // Interpolate between them.
-    const auto weights = place_weights(shading, hits.u, hits.v);
     const Float8 throughput = select(same, packet.throughput, Float8{});
-    for (int p = 0; p < places.count; ++p) {
-      const Float8 weight = weights[static_cast<std::size_t>(p)] * throughput;
+    for (int p = 0; p < shared::place_count(shading); ++p) {
+      const Float8 weight = shared::place_weight(shading, p, hits.u, hits.v) * throughput;
       lobes.diffuse += weight * own.diffuse[p];
       lobes.specular += weight * own.specular[p];
       lobes.white += weight * own.white[p];

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "server/cpu/angles.h"
+#include "common/lights/registry.h"
 #include "server/cpu/embree_scene.h"
 #include "server/cpu/packet.h"
 #include "server/models/lanes.h"
@@ -25,15 +25,9 @@ class Shading {
   using Angles = models::Angles<Float8>;
 
   struct Light {
-    bool directional;
-    Vec8 place;
-    float reference_squared;  ///< 0: no falloff.
+    lights::Light light;
+    lights::Values<Float8> values;
     Float8 solid_angle;
-  };
-  /// A light as seen from eight points.
-  struct Seen {
-    Vec8 direction;
-    Float8 length, weight;
   };
   /// Where the lanes of a packet are gathered.
   struct Places {
@@ -50,11 +44,11 @@ class Shading {
     Workspace& workspace;
   };
 
-  static Seen look(const Light& light, const Vec8& from);
   Places find_places(const Packet& packet, const Hits& hits, Workspace& workspace) const;
   Int8 ambient_lanes(const Hits& hits, Int8 active) const;
   Lobes evaluate(const RenderMaterial& material, const Angles& angles, Workspace& workspace) const;
-  Lobes evaluate_hits(const Step& step, Int8 lanes, Int8 lit, const Seen& seen) const;
+  Lobes evaluate_hits(const Step& step, Int8 lanes, Int8 lit, const Vec8& to_light,
+                      Float8 weight) const;
   void interpolate(const Step& step, Int8 lanes, Lobes& lobes) const;
   void gather(const Step& step, const Lobes& lobes, Int8 lanes) const;
   static void gather_fresnel(const Step& step, int lane, float cosine, float weight);

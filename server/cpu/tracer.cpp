@@ -2,7 +2,7 @@
 
 #include <tuple>
 
-#include "server/cpu/angles.h"
+#include "server/cpu/shared_source.h"
 #include "server/transport/mirror.h"
 
 namespace metamer::cpu {
@@ -87,7 +87,7 @@ void Tracer::gather_block(std::uint32_t x, std::uint32_t y, Workspace& workspace
                     (film_y < static_cast<float>(height_));
     packet.pixel = samples.pixel;
     packet.origin = eye_;
-    packet.direction = normalize(corner_ + across_ * film_x + down_ * film_y);
+    packet.direction = shared::unit(corner_ + across_ * film_x + down_ * film_y);
     trace(packet, workspace);
   }
 }
@@ -99,11 +99,8 @@ void Tracer::trace(Packet& packet, Workspace& workspace) const {
     packet.active = hits.hit;
     if (!any(packet.active)) return;
 
-    // Lift the point off its surface, by what f32 may have got wrong and a little more.
     packet.hit = packet.origin + packet.direction * hits.distance;
-    const Vec8& hit = packet.hit;
-    const Float8 size = max(max(abs(hit.x), abs(hit.y)), max(abs(hit.z), hits.distance));
-    packet.point = hit + hits.geometric_normal * (size * 1e-5f);
+    packet.point = packet.hit + hits.geometric_normal * shared::lift_off(packet.hit, hits.distance);
     packet.travelled += hits.distance;
     shading_.shade(packet, hits, workspace);
     if (mirrors == depth_) return;
@@ -114,7 +111,7 @@ void Tracer::trace(Packet& packet, Workspace& workspace) const {
 
 void Tracer::reflect(Packet& packet, const Hits& hits, Workspace& workspace) const {
   // Keep the lanes that met a mirror.
-  const Float8 incidence = cosine(-dot(hits.normal, packet.direction));
+  const Float8 incidence = shared::cosine(-dot(hits.normal, packet.direction));
   for (unsigned i = 0; i < lane_count; ++i) {
     if (!packet.active[i]) continue;
     const auto material = static_cast<std::uint32_t>(hits.material[i]);
@@ -134,7 +131,7 @@ void Tracer::reflect(Packet& packet, const Hits& hits, Workspace& workspace) con
   };
   const Vec8 smooth = mirrored(hits.normal);
   const Int8 above = dot(smooth, hits.geometric_normal) > 0.0f;
-  packet.direction = normalize(select(above, smooth, mirrored(hits.geometric_normal)));
+  packet.direction = shared::unit(select(above, smooth, mirrored(hits.geometric_normal)));
   packet.origin = packet.point;
   packet.from_eye = false;
 }

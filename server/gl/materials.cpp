@@ -123,8 +123,9 @@ std::string material_source(const RenderScene& scene) {
   constant("material_specular", specular_row);
   constant("material_first_node", first_node);
   constant("material_ambient", ambient);
-  constant("fresnel_schlick", static_cast<std::uint32_t>(FresnelKind::schlick));
-  constant("fresnel_exact", static_cast<std::uint32_t>(FresnelKind::exact));
+  const NeededAngles needed = needed_angles(scene);
+  text += std::string("const bool needs_azimuth = ") + (needed.azimuth ? "true" : "false") +
+          ", needs_tangent = " + (needed.tangent ? "true" : "false") + ";\n";
   text +=
       "layout(std430, binding = 14) readonly buffer Materials { uint word_of[]; };\n"
       "float real_of(uint at) { return uintBitsToFloat(word_of[at]); }\n";

@@ -50,9 +50,16 @@ std::string struct_name(const Entry& entry) {
   return std::string(entry.type) + naming(entry.kind).struct_end;
 }
 
+std::string prelude() {
+  std::string text = "#version 450\n#define Real float\n#define Vec3 vec3\n#define Bool bool\n";
+  for (const char* path : {"functions.glsl", "surface/vectors.glsl"}) text += shader_text(path);
+  return text;
+}
+
 std::string model_source(const std::function<bool(const Entry&)>& wanted) {
-  std::string text = "#version 450\n#define Real float\n";
-  for (const char* path : {"functions.glsl", "models/lobes.glsl", "fresnel/fresnel.glsl"})
+  std::string text = prelude();
+  for (const char* path :
+       {"models/lobes.glsl", "fresnel/schlick.glsl", "fresnel/fresnel.glsl", "fresnel/fold.glsl"})
     text += shader_text(path);
   for (const Kind kind : {Kind::model, Kind::diffuse, Kind::slope, Kind::attenuation}) {
     for (const Entry& entry : models::registry(kind))

@@ -12,9 +12,11 @@ namespace metamer::gl {
 /// A file of shaders/, embedded at build time: "models/lobes.glsl". Empty: there is no such file.
 std::string_view shader_text(std::string_view path);
 
-/// "#version 450", Real, the functions that GLSL lacks or drivers compute coarsely, and the structs
-/// and functions of the lines of models.def that are wanted. What a program needs more follows
-/// after it.
+/// "#version 450", Real, Vec3, Bool, and the functions that GLSL lacks or drivers compute coarsely:
+/// what every program begins with.
+std::string prelude();
+
+/// The prelude, and the structs and functions of the lines of models.def that are wanted.
 std::string model_source(const std::function<bool(const models::Entry&)>& wanted);
 
 /// The function of a line: "beckmann_slope", "cook_torrance".

@@ -4,6 +4,7 @@
 
 #include "common/scene/fresnel_table.h"
 #include "server/gl/context.h"
+#include "server/gl/lights.h"
 #include "server/gl/materials.h"
 #include "server/transport/factor_rows.h"
 
@@ -42,18 +43,6 @@ std::uint32_t places_of_triangle(const RenderScene& scene, const Geometry& geome
   return place_bytes(scene, geometry, places) <= max_place_bytes ? places : 0;
 }
 
-/// As shaders/stages/reflect.glsl has it.
-std::vector<float> light_records(const RenderScene& scene) {
-  std::vector<float> records;
-  for (const RenderLight& light : scene.lights) {
-    for (int i = 0; i < 3; ++i) records.push_back(static_cast<float>(light.place[i]));
-    const double squared = light.reference_distance * light.reference_distance;
-    records.insert(records.end(), {light.directional ? 1.0f : 0.0f, static_cast<float>(squared),
-                                   static_cast<float>(light.solid_angle), 0, 0});
-  }
-  return records;
-}
-
 }  // namespace
 
 Result<Passes> Passes::create(const RenderScene& scene, const Geometry& geometry,
@@ -82,11 +71,11 @@ Result<void> Passes::upload(const DirectTables& tables) {
   light_stride_ = tables.light_stride;
   sensor_stride_ = tables.sensor_stride;
   const auto words = material_words(scene_, FactorRows(scene_));
-  const auto records = light_records(scene_);
+  const auto light_data = light_words(scene_);
   auto materials = Buffer::of<std::uint32_t>("the materials", words);
   auto values = Buffer::of<float>("the method's values", tables.values);
   auto sensors = Buffer::of<float>("the method's sensors", tables.sensors);
-  auto lights = Buffer::of<float>("the lights", records);
+  auto lights = Buffer::of<std::uint32_t>("the lights", light_data);
   for (auto* buffer : {&materials, &values, &sensors, &lights})
     if (!*buffer) return tl::unexpected(buffer->error());
   materials_ = std::move(*materials);

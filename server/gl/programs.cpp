@@ -1,5 +1,6 @@
 #include "server/gl/programs.h"
 
+#include "server/gl/lights.h"
 #include "server/gl/materials.h"
 
 namespace metamer::gl {
@@ -41,7 +42,8 @@ Result<Programs> compile_all(const ProgramSources& sources) {
 
 Result<std::shared_ptr<const Programs>> ProgramCache::get(const RenderScene& scene, Wanted wanted) {
   const std::string key = std::string(wanted.places ? "places " : "") +
-                          (wanted.passes ? "passes " : "") + material_source(scene);
+                          (wanted.passes ? "passes " : "") + material_source(scene) +
+                          light_source(scene);
   if (const auto found = known_.find(key); found != known_.end()) return found->second;
   auto compiled = compile_all(program_sources(scene, wanted));
   if (!compiled) return tl::unexpected(compiled.error());

@@ -6,6 +6,19 @@
 namespace metamer {
 namespace {
 
+/// Calls it with the place of each position among a light's values.
+void for_each_position(lights::Light light, auto&& call) {
+  std::size_t at = 1;
+  for (const lights::Parameter& one : lights::entry(light).parameters) {
+    if (one.kind == lights::Parameter::Kind::position) call(at);
+    at += lights::value_count(one.kind);
+  }
+}
+
+Eigen::Vector3d position(const RenderLight& light, std::size_t at) {
+  return {light.parameters[at], light.parameters[at + 1], light.parameters[at + 2]};
+}
+
 /// The distance from the eye to the farthest corner of anything.
 double reach(const RenderScene& scene) {
   std::vector<Eigen::AlignedBox3d> boxes(scene.meshes.size());
@@ -25,7 +38,9 @@ double reach(const RenderScene& scene) {
     farthest = std::max(farthest, far.norm());
   }
   for (const RenderLight& light : scene.lights)
-    if (!light.directional) farthest = std::max(farthest, (light.place - scene.camera.eye).norm());
+    for_each_position(light.light, [&](std::size_t at) {
+      farthest = std::max(farthest, (position(light, at) - scene.camera.eye).norm());
+    });
   return farthest;
 }
 
@@ -47,7 +62,10 @@ void CameraSpace::place(RenderScene& scene) const {
 
 void CameraSpace::place(RenderLight& light) const {
   light.reference_distance *= scale;
-  if (!light.directional) light.place = scale * (light.place - origin);
+  for_each_position(light.light, [&](std::size_t at) {
+    const Eigen::Vector3d placed = scale * (position(light, at) - origin);
+    std::copy(placed.begin(), placed.end(), &light.parameters[at]);
+  });
 }
 
 RenderScene to_camera_space(RenderScene scene) {

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 
+#include "common/scene/light.h"
 #include "common/scene/limits.h"
 #include "common/scene/reflection.h"
 #include "server/scene/mesh_import.h"
@@ -47,6 +48,36 @@ models::Reflection<float> to_f32(const models::Reflection<double>& from) {
   return to;
 }
 
+/// As RenderLight has them.
+lights::Values<double> light_parameters(const ChosenLight& light) {
+  using Kind = lights::Parameter::Kind;
+  lights::Values<double> values{};
+  double* to = &values[1];
+  for (const lights::Parameter& one : light.entry->parameters) {
+    switch (one.kind) {
+      case Kind::position: {
+        const Eigen::Vector3d position = to_vector(light.vector(one));
+        to = std::copy(position.begin(), position.end(), to);
+        break;
+      }
+      case Kind::direction: {
+        const Eigen::Vector3d direction = unit(to_vector(light.vector(one)));
+        to = std::copy(direction.begin(), direction.end(), to);
+        break;
+      }
+      case Kind::angle: {
+        const double half_sine = std::sin(light.number(one) * std::numbers::pi / 360);
+        *to++ = 2 * half_sine * half_sine;  // 1 − cos
+        break;
+      }
+      case Kind::number:
+        *to++ = light.number(one);
+        break;
+    }
+  }
+  return values;
+}
+
 /// Builds one scene and gathers what is wrong with it.
 class Compiler {
  public:
@@ -72,12 +103,11 @@ class Compiler {
   void light(int index) {
     const v1::Light& light = scene_.light(index);
     const std::string field = "light[" + std::to_string(index) + "]";
-    const bool directional = light.where_case() == v1::Light::kDirection;
+    const ChosenLight chosen = chosen_light(light);
     result_.lights.push_back(
         {.name = light.name(),
-         .directional = directional,
-         .place = directional ? Eigen::Vector3d(-unit(to_vector(light.direction())))
-                              : to_vector(light.position()),
+         .light = static_cast<lights::Light>(chosen.entry->index),
+         .parameters = light_parameters(chosen),
          .reference_distance = light.reference_distance(),
          .luminance = light.has_luminance() ? light.luminance() : 1,
          .solid_angle = light.has_solid_angle() ? light.solid_angle() : std::numbers::pi,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "common/lights/registry.h"
 #include "common/models/reflection.h"
 #include "common/scene/fresnel.h"
 #include "common/spectral/spectrum.h"
@@ -31,12 +32,19 @@ struct RenderCamera {
 
 struct RenderLight {
   std::string name;
-  bool directional;
-  Eigen::Vector3d place;      ///< The position; or, if directional, the unit direction towards it.
-  double reference_distance;  ///< 0: the luminance holds at every distance.
+  lights::Light light;                ///< Its line in lights.def.
+  lights::Values<double> parameters;  ///< Behind the place of its reference distance.
+  double reference_distance;          ///< 0: the luminance holds at every distance.
   double luminance;
   double solid_angle;      ///< sr
   std::uint32_t emission;  ///< Index into RenderScene::emissions.
+
+  /// Its struct in the shaders, flat.
+  lights::Values<double> values() const {
+    lights::Values<double> all = parameters;
+    all[0] = reference_distance * reference_distance;
+    return all;
+  }
 };
 
 enum class FresnelKind : unsigned char {
@@ -88,6 +96,19 @@ struct RenderScene {
     return n;
   }
 };
+
+/// Which of the angles that cost something a scene's models look at.
+struct NeededAngles {
+  bool azimuth = false, tangent = false;
+};
+inline NeededAngles needed_angles(const RenderScene& scene) {
+  NeededAngles needed;
+  for (const RenderMaterial& material : scene.materials) {
+    needed.azimuth |= material.reflection.diffuse != models::DiffuseTerm::lambert;
+    needed.tangent |= material.anisotropic();
+  }
+  return needed;
+}
 
 inline bool RenderMaterial::anisotropic() const {
   if (has(models::anisotropic)) return true;

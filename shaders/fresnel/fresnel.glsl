@@ -1,15 +1,7 @@
 // The Fresnel term F(u): how much of unpolarised light a smooth surface reflects at the cosine u,
 // 0 to 1, of the angle of incidence. All tend to 1 at grazing incidence, u = 0.
 
-// C. Schlick, 1994; E[2.2-12], from the reflectance f at normal incidence:
-//     F = f + (1 − f)(1 − u)⁵
-// Affine in (1 − u)⁵, so that a renderer splits it into f and white.
-Real schlick_rise(Real u) {
-    Real away = Real(1) - u;
-    Real squared = away * away;
-    return squared * squared * away;
-}
-
+// By Schlick's approximation (schlick.glsl), from the reflectance f at normal incidence; E[2.2-12].
 Real schlick_fresnel(Real u, Real f) {
     return f + (Real(1) - f) * schlick_rise(u);
 }

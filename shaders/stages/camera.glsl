@@ -8,11 +8,6 @@ uniform uvec2 region;               // the pixel of the picture that is the regi
 uniform uvec2 region_size;
 uniform vec2 place;  // of the sample in its pixel
 
-vec3 unit(vec3 v) {
-    float squared = dot(v, v);
-    return squared > 0.0 ? v * inversesqrt(squared) : vec3(0.0);
-}
-
 vec3 sample_direction(uvec2 pixel) {
     vec2 film = vec2(region + pixel) + place;
     return unit(corner + across * film.x + down * film.y);

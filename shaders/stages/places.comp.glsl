@@ -17,7 +17,7 @@ void main() {
                            position_at(corner_of[3u * triangle + 2u]) - a));
     if (dot(side, a - eye) > 0.0) side = -side;
     uint base = object_of[object].material * material_size;
-    for (uint i = 0u; i < place_count(shading); ++i) {
+    for (uint i = 0u; i < uint(place_count(int(shading))); ++i) {
         Lobes lobes = place_lobes(light, triangle, object, side, shading, base, i);
         uint at = place_index(light, triangle, i);
         place_of_light[at] = vec4(lobes.diffuse, lobes.specular, lobes.white, lobes.fresnel);

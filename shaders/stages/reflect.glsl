@@ -1,29 +1,6 @@
 // What a surface reflects of a light towards the eye, before any spectrum: the weights of its lobes.
 
-struct Light {
-    vec4 place;  // the position; or the unit direction towards it, and then w is not 0
-    vec4 more;   // squared reference distance, 0: no falloff; solid angle
-};
-layout(std430, binding = 15) readonly buffer Lights { Light light_of[]; };
 uniform float node_last;  // fresnel_nodes − 1
-
-const float short_of_light = 0.9999;
-const float largest = 3.4028235e38;
-
-// The light as seen from a point.
-struct Seen {
-    vec3 direction;
-    float reach, weight;
-};
-
-Seen look(uint light, vec3 from) {
-    Light own = light_of[light];
-    if (own.place.w != 0.0) return Seen(own.place.xyz, largest, 1.0);
-    vec3 way = own.place.xyz - from;
-    float squared = dot(way, way), distance = sqrt(squared);
-    float weight = own.more.x > 0.0 ? own.more.x / squared : 1.0;
-    return Seen(way * (1.0 / distance), distance * short_of_light, weight);
-}
 
 // The sums of a sample: weights of the material's rows and of white. What else a stage keeps of a row it
 // sees to in take_row.
@@ -40,24 +17,18 @@ void add_fresnel(uint light, uint base, float u, float weight) {
 }
 
 void add_lobes(uint light, uint base, Lobes lobes, float weight) {
-    uint fresnel = word_of[base + material_fresnel];
-    if (fresnel == fresnel_exact) {
-        if (lobes.fresnel != 0.0) add_fresnel(light, base, lobes.cosine, weight * lobes.fresnel);
-        lobes.fresnel = 0.0;
-    }
-    float away = 1.0 - lobes.cosine, squared = away * away;
-    float rise = fresnel == fresnel_schlick ? squared * squared * away : 0.0;
-    weights += weight * vec3(lobes.diffuse, lobes.specular + lobes.fresnel * (1.0 - rise),
-                             lobes.white + lobes.fresnel * rise);
+    lobes = fold_fresnel(lobes, int(word_of[base + material_fresnel]));
+    if (lobes.fresnel != 0.0) add_fresnel(light, base, lobes.cosine, weight * lobes.fresnel);
+    weights += weight * vec3(lobes.diffuse, lobes.specular, lobes.white);
 }
 
 // A light's lobes at a place of a triangle.
 Lobes place_lobes(uint light, uint triangle, uint object, vec3 side, uint shading, uint base, uint index) {
-    Place place = place_of(triangle, object, side, shading, index);
-    Seen there = look(light, place.position);
+    Place place = place_of(triangle_of(triangle, object), side, int(shading), float(index));
+    Incident there = incident(light, place.position);
     Lobes lobes = reflection(base, angles_of(place.normal, place.tangent, there.direction, unit(eye - place.position),
-                                             light_of[light].more.y));
-    float weight = there.weight <= largest ? there.weight : 0.0;
+                                             solid_angle_of(light), needs_azimuth, needs_tangent));
+    float weight = is_finite(there) ? there.weight : 0.0;
     lobes.diffuse *= weight;
     lobes.specular *= weight;
     lobes.white *= weight;
@@ -84,25 +55,25 @@ Lobes lobes_at_place(uint light, Surface surface, uint shading, uint base, uint 
 
 void reflect_light(uint light, Surface surface, vec3 direction) {
     uint base = object_of[surface.object].material * material_size;
-    Seen from_here = look(light, surface.hit);
-    if (!(from_here.weight <= largest)) return;
+    Incident from_here = incident(light, surface.hit);
+    if (!is_finite(from_here)) return;
     uint shading = object_of[surface.object].shading;
 
     // Ask whether the light is seen, from a point lifted off the surface by what f32 may have got wrong.
-    bool lit = shading != 0u || dot(surface.normal, from_here.direction) > 0.0;
+    bool lit = shading != 0u || (from_here.weight > 0.0 && dot(surface.normal, from_here.direction) > 0.0);
     if (lit) {
-        vec3 size = max(abs(surface.hit), abs(eye));
-        float lift = max(max(size.x, size.y), max(size.z, length(surface.hit - eye))) * 1e-5;
+        float lift = lift_off(max(abs(surface.hit), abs(eye)), length(surface.hit - eye));
         lit = is_free(surface.hit + surface.side * lift, from_here.direction, lift, from_here.reach);
     }
     if (lit && shading != 0u) {
-        for (uint i = 0u; i < place_count(shading); ++i)
+        for (uint i = 0u; i < uint(place_count(int(shading))); ++i)
             add_lobes(light, base, lobes_at_place(light, surface, shading, base, i),
-                      place_weight(shading, surface.uv, i));
+                      place_weight(int(shading), int(i), surface.uv.x, surface.uv.y));
         return;
     }
     if (!lit && word_of[base + material_ambient] == 0u) return;
-    Angles angles = angles_of(surface.normal, surface.tangent, from_here.direction, -direction, light_of[light].more.y);
+    Angles angles = angles_of(surface.normal, surface.tangent, from_here.direction, -direction, solid_angle_of(light),
+                              needs_azimuth, needs_tangent);
     if (!lit) angles.n_dot_l = 0.0;
     add_lobes(light, base, reflection(base, angles), from_here.weight);
 }

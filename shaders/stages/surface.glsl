@@ -89,51 +89,15 @@ Surface find_surface(uint name, vec3 direction) {
     return surface;
 }
 
-// A place of a triangle at which CONSTANT, GOURAUD and QUADRATIC evaluate the model, as
-// server/cpu/triangle_places.h has them: the centroid; the three corners; the corners and the middles of the
-// edges 01, 02 and 12.
-struct Place {
-    vec3 position, normal, tangent;
-};
-
-const uint constant_shading = 1u, gouraud_shading = 2u, quadratic_shading = 3u;
-
-uint place_count(uint shading) {
-    return shading == constant_shading ? 1u : shading == gouraud_shading ? 3u : 6u;
-}
-
-// What a point of the triangle sees of a place; E[2.3-1] with E[2.3-2] for QUADRATIC.
-float place_weight(uint shading, vec2 uv, uint index) {
-    float part[3] = float[3](1.0 - uv.x - uv.y, uv.x, uv.y);
-    if (shading == constant_shading) return 1.0;
-    if (index < 3u)
-        return shading == gouraud_shading ? part[index] : part[index] * (2.0 * part[index] - 1.0);
-    return 4.0 * part[index == 5u ? 1u : 0u] * part[index == 3u ? 1u : 2u];
-}
-
-// `side` is the triangle's normal towards the eye.
-Place place_of(uint triangle, uint object, vec3 side, uint shading, uint index) {
-    uint corner[3] = uint[3](corner_of[3u * triangle], corner_of[3u * triangle + 1u], corner_of[3u * triangle + 2u]);
+Triangle triangle_of(uint triangle, uint object) {
+    Triangle at;
     bool has_normals = object_of[object].has_normals != 0u;
-    Place place;
-    place.normal = side;
-    if (shading == constant_shading) {
-        place.position = (position_at(corner[0]) + position_at(corner[1]) + position_at(corner[2])) / 3.0;
-        place.tangent =
-            (tangent_at(corner[0], object) + tangent_at(corner[1], object) + tangent_at(corner[2], object)) / 3.0;
-    } else if (index < 3u) {
-        place.position = position_at(corner[index]);
-        if (has_normals) place.normal = unit(normal_at(corner[index]));
-        place.tangent = tangent_at(corner[index], object);
-    } else {
-        uint i = index == 5u ? 1u : 0u, j = index == 3u ? 1u : 2u;
-        place.position = 0.5 * (position_at(corner[i]) + position_at(corner[j]));
-        // Of unit normals, so that a long one does not outweigh its neighbour.
-        if (has_normals) place.normal = unit(unit(normal_at(corner[i])) + unit(normal_at(corner[j])));
-        place.tangent = 0.5 * (tangent_at(corner[i], object) + tangent_at(corner[j], object));
+    for (uint i = 0u; i < 3u; ++i) {
+        uint vertex = corner_of[3u * triangle + i];
+        at.position[i] = position_at(vertex);
+        at.normal[i] = has_normals ? normal_at(vertex) : vec3(0.0);
+        at.tangent[i] = tangent_at(vertex, object);
     }
-    if (place.normal == vec3(0.0)) place.normal = side;
-    if (dot(place.normal, side) < 0.0) place.normal = -place.normal;
-    place.tangent = steady_tangent(place.normal, place.tangent, object_of[object].z_axis.xyz);
-    return place;
+    at.across = object_of[object].z_axis.xyz;
+    return at;
 }

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "common/lights/reference.h"
 #include "server/film/sample_pattern.h"
 
 namespace metamer::bench {
@@ -75,9 +76,11 @@ RawRays::RawRays(const RenderScene& scene, const cpu::EmbreeScene& geometry, con
               const float size = std::max(point.cwiseAbs().maxCoeff(), hits.distance[lane]);
               const Eigen::Vector3f lifted =
                   point + lane_vector(hits.geometric_normal, lane) * (size * 1e-5f);
-              const Eigen::Vector3f way = light.place.cast<float>() - lifted;
-              if (!(lane_vector(hits.normal, lane).dot(way.normalized()) > 0)) continue;
-              set(shadow.ray, lane, lifted, way.normalized(), way.norm());
+              const lights::Incident from =
+                  lights::incident(light.light, light.values(), lifted.cast<double>());
+              const Eigen::Vector3f way = from.direction.cast<float>();
+              if (!(lane_vector(hits.normal, lane).dot(way) > 0)) continue;
+              set(shadow.ray, lane, lifted, way, static_cast<float>(from.reach));
               shadow.valid[lane] = -1;
               any_facing = true;
               ++count_;

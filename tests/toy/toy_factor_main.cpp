@@ -1,4 +1,4 @@
-// Meets the kind of factor that add_model.cmake has added, by its name alone: every method, the
+// Meets the kind of factor that add.cmake has added, by its name alone: every method, the
 // reference and relighting carry it.
 
 #include <cmath>

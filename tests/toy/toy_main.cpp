@@ -1,10 +1,11 @@
-// Meets the model that add_model.cmake has added, by its name alone.
+// Meets the model and the light that add.cmake has added, by their names alone.
 
 #include <google/protobuf/text_format.h>
 
 #include <cstdio>
 #include <cstring>
 
+#include "common/lights/reference.h"
 #include "common/models/reference.h"
 #include "common/scene/validate.h"
 #include "server/models/lanes.h"
@@ -21,10 +22,10 @@ void expect(bool holds, const char* what) {
   failures += holds ? 0 : 1;
 }
 
-std::string scene(const std::string& model) {
-  return "camera { eye { z: 4 } target {} } light { name: 'l' position { z: 4 } spectrum { "
-         "standard: "
-         "'D65' } } material { name: 'm' diffuse { constant: 0.5 } diffuseness: 0.5 specularness: "
+std::string scene(const std::string& model, const std::string& light = "position { z: 4 }") {
+  return "camera { eye { z: 4 } target {} } light { name: 'l' " + light +
+         " spectrum { standard: 'D65' } } material { name: 'm' diffuse { constant: 0.5 } "
+         "diffuseness: 0.5 specularness: "
          "0.25 " +
          model +
          " } object { name: 'o' material: 'm' sphere { radius: 1 } } settings { width: 33 height: "
@@ -36,6 +37,33 @@ const models::Entry* find_toy() {
   for (const models::Entry& entry : models::registry(models::Kind::model))
     if (std::strcmp(entry.name, "toy") == 0) return &entry;
   return nullptr;
+}
+
+const lights::Entry* find_toy_light() {
+  for (const lights::Entry& entry : lights::registry())
+    if (std::strcmp(entry.name, "toy") == 0) return &entry;
+  return nullptr;
+}
+
+void meet_light() {
+  const lights::Entry* toy = find_toy_light();
+  expect(toy != nullptr && toy->parameters.size() == 3, "the lights' registry has it");
+  if (toy == nullptr) return;
+
+  const std::string light = "toy { position { z: 4 } direction { z: -2 } edge: ";
+  const auto wrong = validate_scene(test::parse_scene(scene("blinn_phong {}", light + "2 }")));
+  expect(wrong.size() == 1 && wrong[0].field == "light[0].toy.edge" &&
+             wrong[0].message.find("edge must lie in 0..1") == 0,
+         "validation knows its range");
+  const lights::Values<double> values{0, 0, 0, 4, 0, 0, -1, 0.9};
+  const auto which = static_cast<lights::Light>(toy->index);
+  expect(lights::incident(which, values, {0, 0, 0}).weight == 1, "f64 evaluates it on its axis");
+  expect(lights::incident(which, values, {0, 4, 0}).weight == 0, "and beside it");
+
+  // The ball's middle is on the axis, its rim 14° off it: beyond a step at 6°.
+  const auto picture = test::render(scene("blinn_phong {}", light + "0.995 }"));
+  expect(std::abs(picture.at(16, 16)[1] - 0.5f) < 1e-3f, "it renders where it shines");
+  expect(picture.at(16, 25)[1] == 0, "and is dark beyond its edge");
 }
 
 }  // namespace
@@ -64,5 +92,6 @@ int main() {
   const auto picture = test::render(scene("toy { edge: 0.9 }"));
   expect(std::abs(picture.at(16, 16)[1] - 0.5f) < 1e-3f, "it renders its highlight");
   expect(picture.at(25, 16)[1] > 0.05f && picture.at(25, 16)[1] < 0.25f, "and its diffuse part");
+  meet_light();
   return failures == 0 ? 0 : 1;
 }

@@ -1,10 +1,9 @@
-#include "server/cpu/angles.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "common/models/reference.h"
+#include "server/cpu/shared_source.h"
 
 namespace metamer::cpu {
 namespace {
@@ -23,8 +22,9 @@ TEST(Angles, AreThoseOfTheReference) {
           {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())});
     };
     // A tangent of any length, and not in the surface.
-    const auto angles = angles_of(lanes(normal), lanes(3 * flat + 0.5 * normal), lanes(light),
-                                  lanes(viewer), broadcast(0.25f), {true, true});
+    const auto angles =
+        shared::angles_of(lanes(normal), lanes(3 * flat + 0.5 * normal), lanes(light),
+                          lanes(viewer), broadcast(0.25f), true, true);
     const auto expected = models::angles_between(normal, flat, light, viewer, 0.25);
     EXPECT_NEAR(angles.n_dot_l[0], expected.n_dot_l, 1e-6);
     EXPECT_NEAR(angles.n_dot_v[0], expected.n_dot_v, 1e-6);
@@ -42,9 +42,9 @@ TEST(Angles, ATangentAlongTheNormalGivesWayToTheOtherAxis) {
   const Vec8 normal = broadcast({0.6f, 0.8f, 0}), across = broadcast({0, 0, 1});
   for (const float tilt : {0.0f, 1e-7f, -1e-7f, 0.01f}) {
     const Vec8 tangent = broadcast({-1.2f + tilt, -1.6f, tilt});
-    EXPECT_EQ(steady_tangent(normal, tangent, across).z[0], 1) << tilt;
+    EXPECT_EQ(shared::steady_tangent(normal, tangent, across).z[0], 1) << tilt;
   }
-  EXPECT_EQ(steady_tangent(normal, broadcast({-0.6f, -0.8f, 0.2f}), across).z[0], 0.2f);
+  EXPECT_EQ(shared::steady_tangent(normal, broadcast({-0.6f, -0.8f, 0.2f}), across).z[0], 0.2f);
 }
 
 }  // namespace

@@ -1,20 +1,46 @@
-#include "server/cpu/triangle_places.h"
+// Where on a triangle the interpolating kinds of shading evaluate the model
+// (shaders/surface/places.glsl).
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
 #include <random>
 
+#include "metamer/v1/scene.pb.h"
+#include "server/cpu/corners.h"
+#include "server/cpu/shared_source.h"
+
 namespace metamer::cpu {
 namespace {
+
+constexpr std::size_t max_places = 6;
+
+/// A triangle's places, one a lane.
+struct TrianglePlaces : shared::Place {
+  int count;
+};
+
+TrianglePlaces triangle_places(v1::Shading shading, const Corners& corners,
+                               const std::array<float, 3>& side) {
+  shared::Triangle at;
+  for (std::size_t i = 0; i < 3; ++i) {
+    at.position[i] = broadcast(corners.position[i]);
+    at.normal[i] = broadcast(corners.normal[i]);
+    at.tangent[i] = broadcast(corners.tangent[i]);
+  }
+  at.across = broadcast(corners.across);
+  return {shared::place_of(at, broadcast(side), shading, Float8{0, 1, 2, 3, 4, 5}),
+          shared::place_count(shading)};
+}
 
 /// What the places of a triangle hold, interpolated at barycentric u, v.
 float interpolated(v1::Shading shading, const std::array<double, max_places>& values, double u,
                    double v) {
-  const auto weights =
-      place_weights(shading, broadcast(static_cast<float>(u)), broadcast(static_cast<float>(v)));
   float sum = 0;
-  for (std::size_t i = 0; i < max_places; ++i) sum += weights[i][0] * static_cast<float>(values[i]);
+  for (int i = 0; i < shared::place_count(shading); ++i)
+    sum += shared::place_weight(shading, i, broadcast(static_cast<float>(u)),
+                                broadcast(static_cast<float>(v)))[0] *
+           static_cast<float>(values[static_cast<std::size_t>(i)]);
   return sum;
 }
 

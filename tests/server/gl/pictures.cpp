@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "common/color/lab.h"
+#include "common/lights/reference.h"
 #include "common/scene/settings.h"
 #include "server/cpu/tracer.h"
 #include "server/gl/passes.h"
@@ -54,13 +55,11 @@ Sight look(const RenderScene& scene, const cpu::EmbreeScene& geometry,
                              hits.geometric_normal.z[0]);
   const Eigen::Vector3d from = at + side * (at.norm() * 1e-5);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const RenderLight& light = scene.lights[i];
-    const Eigen::Vector3d way =
-        light.directional ? light.place : Eigen::Vector3d(light.place - from);
-    const double reach = light.directional ? 1e30 : 0.9999 * way.norm();
-    const bool faces = side.dot(way) > 0;
-    if (faces && geometry.visible(broadcast(from), broadcast(way.normalized()),
-                                  metamer::broadcast(static_cast<float>(reach)), one)[0])
+    const RenderLight& own = scene.lights[i];
+    const lights::Incident light = lights::incident(own.light, own.values(), from);
+    if (light.weight > 0 && side.dot(light.direction) > 0 &&
+        geometry.visible(broadcast(from), broadcast(light.direction),
+                         metamer::broadcast(static_cast<float>(light.reach)), one)[0])
       sight.lights |= 1u << i;
   }
   return sight;

@@ -1,4 +1,4 @@
-# cmake -DSOURCE=… -DSCRATCH=… -P add_model.cmake: see README.md. A second run builds what has changed;
+# cmake -DSOURCE=… -DSCRATCH=… -P add.cmake: see README.md. A second run builds what has changed;
 # the sources are copied anew, with their times, as one that is gone must not stay.
 file(REMOVE_RECURSE ${SCRATCH}/source)
 foreach(part CMakeLists.txt common proto server client shaders tests)
@@ -11,6 +11,16 @@ set(line "METAMER_MODEL(59, toy, Toy, \"this test\", \"a step\", weighted | high
 string(REPLACE "METAMER_DIFFUSE(60" "${line}\nMETAMER_DIFFUSE(60" with_line "${text}")
 if(with_line STREQUAL text)
   message(FATAL_ERROR "models.def has no line METAMER_DIFFUSE(60 before which to add a model")
+endif()
+file(WRITE ${def} "${with_line}")
+
+configure_file(${SOURCE}/tests/toy/toy_light.glsl ${SCRATCH}/source/shaders/lights/toy.glsl COPYONLY)
+set(def ${SCRATCH}/source/common/lights/lights.def)
+file(READ ${SOURCE}/common/lights/lights.def text)
+set(line "METAMER_LIGHT(59, toy, Toy, \"this test\", \"a step\", METAMER_POSITION(position, \"where it is\") METAMER_DIRECTION(direction, \"its axis\") METAMER_PARAMETER(edge, 0.9, 0, 1, \"\", \"cosine of the step\"))")
+string(REPLACE "// clang-format on" "${line}\n// clang-format on" with_line "${text}")
+if(with_line STREQUAL text)
+  message(FATAL_ERROR "lights.def has no line // clang-format on before which to add a light")
 endif()
 file(WRITE ${def} "${with_line}")
 

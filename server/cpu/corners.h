@@ -1,0 +1,13 @@
+#pragma once
+
+#include <array>
+
+namespace metamer::cpu {
+
+/// A triangle's corners in the world; normals and tangents of any length.
+struct Corners {
+  std::array<std::array<float, 3>, 3> position, normal, tangent;
+  std::array<float, 3> across;  ///< Takes a tangent's place where that is along the normal.
+};
+
+}  // namespace metamer::cpu

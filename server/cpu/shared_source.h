@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstring>
+
+#include "common/lights/registry.h"
+#include "common/models/reflection.h"
+#include "server/cpu/lanes.h"
+
+// No file uses all of them, and no light all that it is given.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
+/// The sources in shaders/ that see vectors, for eight points at a time: Real is eight numbers, and
+/// a number that they name is the same in every lane. Each file that includes this has them to
+/// itself, so that they are inlined into its loops.
+namespace metamer::cpu::shared {
+namespace {
+using Real = Float8;
+using Vec3 = Vec8;
+using Bool = Int8;
+using Angles = models::Angles<Float8>;
+using Lobes = models::Lobes<Float8>;
+#define Real(number) metamer::broadcast(static_cast<float>(number))
+// Each after what it calls.
+// clang-format off
+#include "shaders/surface/vectors.glsl"
+#include "shaders/surface/angles.glsl"
+#include "shaders/surface/lift.glsl"
+#include "shaders/surface/places.glsl"
+#include "shaders/fresnel/schlick.glsl"
+#include "shaders/fresnel/fold.glsl"
+#include "common/lights/shared_source.inc"
+// clang-format on
+#undef Real
+}  // namespace
+}  // namespace metamer::cpu::shared
+
+#pragma GCC diagnostic pop
