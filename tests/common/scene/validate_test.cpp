@@ -80,7 +80,7 @@ TEST(SceneValidate, Camera) {
 TEST(SceneValidate, Light) {
   EXPECT_EQ(findings({.light = ""}), Strings({"light: the scene needs a light"}));
   EXPECT_EQ(findings({.light = "light { }"}),
-            Strings({"light[0]: light needs a position or a direction",
+            Strings({"light[0]: light needs a position, a direction or a spot",
                      "light[0]: light needs a spectrum"}));
   EXPECT_EQ(findings({.light = "light { direction { } spectrum { constant: 1 } }"}),
             Strings({"light[0].direction: direction must not be 0"}));
