@@ -10,7 +10,7 @@ namespace {
 
 namespace asio = boost::asio;
 using Envelopes = std::vector<v1::Envelope>;
-using Kind = TradeoffStop::Kind;
+using StopKind = TradeoffStop::Kind;
 
 /// A run against a server that has all assets and does `answer` to a submission and to a watch.
 tl::expected<Tradeoff, TradeoffStop> run_against(test::FakeServer::AnswerTo answer,
@@ -110,7 +110,7 @@ TEST(TradeoffRun, ARefusedReferenceEndsIt) {
     return Envelopes{test::error(v1::Error::LIMIT, "too many jobs")};
   });
   ASSERT_FALSE(run);
-  EXPECT_EQ(run.error().kind, Kind::reference);
+  EXPECT_EQ(run.error().kind, StopKind::reference);
   EXPECT_EQ(run.error().problem.message, "too many jobs");
 }
 
@@ -122,7 +122,7 @@ TEST(TradeoffRun, AFailedReferenceSaysWhy) {
     problem.set_message("it looks nowhere");
   }));
   ASSERT_FALSE(run);
-  EXPECT_EQ(run.error().kind, Kind::reference);
+  EXPECT_EQ(run.error().kind, StopKind::reference);
   EXPECT_EQ(run.error().problem.message, "no worker: camera: it looks nowhere");
 }
 
@@ -131,14 +131,14 @@ TEST(TradeoffRun, ACancelledJobCancelsIt) {
   const auto run =
       run_against(ends_by([](v1::JobEvent& event) { event.mutable_cancelled(); }), &jobs);
   ASSERT_FALSE(run);
-  EXPECT_EQ(run.error().kind, Kind::cancelled);
+  EXPECT_EQ(run.error().kind, StopKind::cancelled);
   EXPECT_EQ(jobs, (std::vector<std::uint64_t>{7, 0})) << "under way, and no more";
 }
 
 TEST(TradeoffRun, ALostServerEndsIt) {
   const auto run = run_against([](const v1::Envelope&) { return Envelopes{{}}; });
   ASSERT_FALSE(run);
-  EXPECT_EQ(run.error().kind, Kind::session);
+  EXPECT_EQ(run.error().kind, StopKind::session);
   EXPECT_EQ(run.error().error.kind, SessionError::Kind::disconnected);
 }
 
