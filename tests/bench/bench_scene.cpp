@@ -52,8 +52,17 @@ RenderScene make_ground(unsigned side, bool mirrors) {
 
   scene.emissions = {*cie::illuminant("D65"), *cie::illuminant("F11")};
   scene.emission_fields = {"light[0].spectrum", "light[1].spectrum"};
-  scene.lights = {{"left", false, {-1.5, 2.5, 1}, 0, 0.7, std::numbers::pi, 0},
-                  {"right", false, {1.8, 1.6, -0.5}, 0, 0.5, std::numbers::pi, 1}};
+  const auto lamp = [](const char* name, Eigen::Vector3d at, double luminance,
+                       std::uint32_t power) {
+    return RenderLight{.name = name,
+                       .light = lights::Light::point,
+                       .parameters = {0, at.x(), at.y(), at.z()},
+                       .reference_distance = 0,
+                       .luminance = luminance,
+                       .solid_angle = std::numbers::pi,
+                       .emission = power};
+  };
+  scene.lights = {lamp("left", {-1.5, 2.5, 1}, 0.7, 0), lamp("right", {1.8, 1.6, -0.5}, 0.5, 1)};
 
   scene.properties = {Spectrum{{550}, {1}}};
   scene.property_fields = {"material[0].specular"};

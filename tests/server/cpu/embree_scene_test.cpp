@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "server/cpu/shared_source.h"
 #include "server/scene/camera_space.h"
 #include "tests/server/test_scene.h"
 
@@ -100,9 +101,10 @@ std::size_t hits_of(const std::string& object) {
   for (int y = -8; y <= 8; ++y) {
     Vec8 direction = broadcast({0, static_cast<float>(y) / 20, -1});
     for (int x = 0; x < lane_count; ++x) direction.x[x] = static_cast<float>(x - 4) / 20;
-    const Hits hits = geometry->intersect(broadcast({0, 0, 0}), normalize(direction), Int8{} - 1);
+    const Hits hits =
+        geometry->intersect(broadcast({0, 0, 0}), shared::unit(direction), Int8{} - 1);
     for (int i = 0; i < lane_count; ++i) count += hits.hit[i] && hits.object[i] == 1 ? 1 : 0;
-    geometry->visible(broadcast({0, 0, -1}), normalize(direction), broadcast(9), Int8{} - 1);
+    geometry->visible(broadcast({0, 0, -1}), shared::unit(direction), broadcast(9), Int8{} - 1);
   }
   return count;
 }

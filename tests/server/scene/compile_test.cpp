@@ -207,7 +207,8 @@ TEST(Compile, DirectionsOfAnyLengthAreMadeUnit) {
     const RenderScene result = test::compile_text(text);
     EXPECT_EQ(result.camera.forward, Eigen::Vector3d(0, 0, 1)) << length;
     EXPECT_EQ(result.camera.right, Eigen::Vector3d(-1, 0, 0)) << length;
-    EXPECT_EQ(result.lights[0].place, Eigen::Vector3d(0, -1, 0)) << length;
+    const lights::Values<double>& sun = result.lights[0].parameters;
+    EXPECT_EQ(Eigen::Vector3d(sun[1], sun[2], sun[3]), Eigen::Vector3d(0, 1, 0)) << length;
     EXPECT_TRUE((result.objects[0].to_world.linear() * Eigen::Vector3d::UnitY())
                     .isApprox(Eigen::Vector3d::UnitZ()))
         << length;
