@@ -115,7 +115,7 @@ const MethodEntry* method_entry(const v1::Method& method) {
   if (field == nullptr) return nullptr;
   for (const MethodEntry& entry : method_entries())
     if (entry.word == field->name()) return &entry;
-  assert(!"a test holds the table against the schema");
+  assert(false && "a test holds the table against the schema");
   return nullptr;
 }
 

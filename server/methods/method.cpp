@@ -31,7 +31,7 @@ std::unique_ptr<Method> make_method(const v1::Plan& plan, const RenderScene& sce
     case v1::Method::METHOD_NOT_SET:
       break;
   }
-  assert(!"a plan names its method");
+  assert(false && "a plan names its method");
   return nullptr;
 }
 
