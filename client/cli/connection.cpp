@@ -28,7 +28,7 @@ asio::awaitable<ExitCode> connect_and_work(std::string server, Report& report, c
 /// Runs the coroutine until it ends, or until an interrupt stops the loop.
 ExitCode run(asio::io_context& loop, Report& report, asio::awaitable<ExitCode> main) {
   std::optional<ExitCode> result;
-  asio::co_spawn(loop, std::move(main), [&](std::exception_ptr error, ExitCode code) {
+  asio::co_spawn(loop, std::move(main), [&](const std::exception_ptr& error, ExitCode code) {
     try {
       if (error) std::rethrow_exception(error);
       result = code;
@@ -68,7 +68,7 @@ std::string server_name(const CommonOptions& options) {
   return named ? named : "";
 }
 
-ExitCode with_server(const CommonOptions& options, Report& report, Work work) {
+ExitCode with_server(const CommonOptions& options, Report& report, const Work& work) {
   const std::string server = server_name(options);
   if (server.empty()) {
     report.error("no server named: use --server unix:PATH or HOST:PORT, or set METAMER_SERVER");

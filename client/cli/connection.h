@@ -32,7 +32,7 @@ using Work = std::function<boost::asio::awaitable<ExitCode>(Session&)>;
 
 /// Connects to the server that the options or METAMER_SERVER name, and works with it; prints why
 /// where that fails. No server named is an error of usage.
-ExitCode with_server(const CommonOptions& options, Report& report, Work work);
+ExitCode with_server(const CommonOptions& options, Report& report, const Work& work);
 
 /// The same, but starts a private server where none is named, and handles interrupts.
 using InterruptibleWork = std::function<boost::asio::awaitable<ExitCode>(Session&, Interrupts&)>;

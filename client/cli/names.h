@@ -2,7 +2,8 @@
 
 namespace metamer::client {}
 
-/// A subcommand is made of what every client has.
+/// A subcommand is made of what every client has, so that each file of the room would begin with a
+/// list of the same names.
 namespace metamer::cli {
-using namespace client;
+using namespace client;  // NOLINT(google-build-using-namespace)
 }

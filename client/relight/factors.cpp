@@ -77,7 +77,7 @@ struct FactorsBuilder::Tables {
 };
 
 FactorsBuilder::FactorsBuilder(const v1::Plan& plan, const v1::SceneFactors& scene)
-    : tables_(std::make_shared<Tables>(MessageTables{}, SceneSources(scene))) {
+    : tables_(std::make_shared<Tables>(Tables{MessageTables{}, SceneSources(scene)})) {
   factors_.plan = plan;
   factors_.scene = scene;
   factors_.width = plan.width();

@@ -30,7 +30,7 @@ std::vector<std::vector<double>> light_rows(const v1::SceneFactors& scene, cie::
 /// factor.
 template <class Take>
 struct Products : FoldHooks {
-  Products(const v1::SceneFactors& scene, std::vector<double> nm, Take take)
+  Products(const v1::SceneFactors& scene, const std::vector<double>& nm, Take take)
       : sources(scene), factors(sources.factors(), nm), chains{Row(nm.size(), 1.0f)}, take(take) {}
 
   void enter(std::uint32_t, std::uint32_t parent, const FactorNode& factor) {
