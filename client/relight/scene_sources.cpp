@@ -13,8 +13,8 @@ SceneSources::SceneSources(const v1::SceneFactors& scene) {
     material.specular = &spectra_.emplace_back(to_spectrum(from.specular()));
     material.constants = nullptr;
     if (from.has_constants())
-      material.constants = &constants_.emplace_back(to_spectrum(from.constants().n()),
-                                                    to_spectrum(from.constants().k()));
+      material.constants = &constants_.emplace_back(
+          OpticalConstants{to_spectrum(from.constants().n()), to_spectrum(from.constants().k())});
   }
 }
 
