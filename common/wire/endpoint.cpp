@@ -174,6 +174,11 @@ asio::awaitable<Result<Addresses>> look_up(Endpoint endpoint) {
   co_return found_addresses(endpoint, cancelled, {});
 }
 
+/// What is cancelled while nothing is awaited is not told by the next operation: ask.
+bool is_cancelled(const asio::cancellation_state& state) {
+  return state.cancelled() != asio::cancellation_type::none;
+}
+
 /// A Unix socket connects at once or not at all; see busy_retry.
 asio::awaitable<error_code> connect_unix(Socket& socket, const GenericEndpoint& address) {
   asio::steady_timer pause(socket.get_executor());
@@ -186,6 +191,8 @@ asio::awaitable<error_code> connect_unix(Socket& socket, const GenericEndpoint& 
     if (errno != EAGAIN) co_return error_code(errno, boost::system::system_category());
     pause.expires_after(busy_retry);
     std::tie(error) = co_await pause.async_wait(as_tuple);
+    if (is_cancelled(co_await asio::this_coro::cancellation_state))
+      error = asio::error::operation_aborted;
   }
   co_return error;
 }
@@ -197,6 +204,10 @@ asio::awaitable<Result<Socket>> connect_in_turn(const Endpoint& endpoint) {
   if (!addresses) co_return tl::unexpected(addresses.error());
   error_code error = asio::error::host_not_found;
   for (const auto& address : *addresses) {
+    if (is_cancelled(co_await asio::this_coro::cancellation_state)) {
+      error = asio::error::operation_aborted;
+      break;
+    }
     Socket socket(co_await asio::this_coro::executor);
     if (endpoint.kind == Endpoint::Kind::unix_socket) {
       error = co_await connect_unix(socket, address);

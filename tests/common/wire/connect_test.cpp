@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <thread>
 
 #include "common/wire/endpoint.h"
 
@@ -122,6 +123,15 @@ TEST_F(Connect, WhoNeverAcceptsIsGivenUp) {
         outcome(listener.endpoint(), 100ms),
         "can't connect to " + to_string(listener.endpoint()) + ": no connection within 0.1 s");
   }
+}
+
+TEST_F(Connect, WhoNeverAcceptsIsGivenUpByABusyLoopToo) {
+  // The limit passes before the pause between two tries does, and the loop sees both at once.
+  const FullListener listener(unix_endpoint());
+  asio::steady_timer timer(context_, 1ms);
+  timer.async_wait([](boost::system::error_code) { std::this_thread::sleep_for(200ms); });
+  EXPECT_EQ(outcome(listener.endpoint(), 10ms),
+            "can't connect to " + to_string(listener.endpoint()) + ": no connection within 0.01 s");
 }
 
 TEST_F(Connect, AFullUnixSocketIsTriedUntilThereIsRoom) {
