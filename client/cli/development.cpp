@@ -1,6 +1,6 @@
 #include "client/cli/development.h"
 
-#include "client/tools/words.h"
+#include "client/tools/scene/words.h"
 
 namespace metamer::cli {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "client/cli/shared_options.h"
-#include "client/tools/planned_developing.h"
+#include "client/tools/pictures/planned_developing.h"
 
 namespace metamer::cli {
 

@@ -5,7 +5,7 @@
 
 #include "client/cli/progress.h"
 #include "client/session/problems.h"
-#include "client/tools/promise_text.h"
+#include "client/tools/text/promise_text.h"
 
 namespace metamer::cli {
 namespace {

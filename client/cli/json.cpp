@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "client/tools/words.h"
+#include "client/tools/scene/words.h"
 #include "common/digest.h"
 
 namespace metamer::cli {

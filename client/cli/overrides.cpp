@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "client/cli/development.h"
-#include "client/tools/words.h"
+#include "client/tools/scene/words.h"
 #include "common/scene/schema.h"
 
 namespace metamer::cli {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "client/cli/shared_options.h"
-#include "client/tools/look.h"
+#include "client/tools/scene/look.h"
 #include "common/problem.h"
 #include "metamer/v1/scene.pb.h"
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <iostream>
 
-#include "client/tools/formatted.h"
-#include "client/tools/job_text.h"
+#include "client/tools/text/formatted.h"
+#include "client/tools/text/job_text.h"
 
 namespace metamer::cli {
 

@@ -6,7 +6,7 @@
 
 #include "client/cli/report.h"
 #include "client/cli/shared_options.h"
-#include "client/tools/checked_scene.h"
+#include "client/tools/scene/checked_scene.h"
 #include "metamer/v1/plan.pb.h"
 
 namespace metamer::cli {

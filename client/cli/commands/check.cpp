@@ -3,7 +3,7 @@
 #include "client/cli/follow.h"
 #include "client/cli/scene_input.h"
 #include "client/cli/shared_options.h"
-#include "client/tools/job_text.h"
+#include "client/tools/text/job_text.h"
 
 namespace metamer::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include "client/cli/follow.h"
 #include "client/cli/scene_input.h"
 #include "client/cli/shared_options.h"
-#include "client/tools/formatted.h"
+#include "client/tools/text/formatted.h"
 #include "common/scene/methods.h"
 
 namespace metamer::cli {

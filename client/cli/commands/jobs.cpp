@@ -1,7 +1,7 @@
 #include "client/cli/commands.h"
 #include "client/cli/connection.h"
 #include "client/cli/shared_options.h"
-#include "client/tools/job_text.h"
+#include "client/tools/text/job_text.h"
 
 namespace metamer::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include "client/cli/development.h"
 #include "client/cli/output/output.h"
 #include "client/cli/output/pictures.h"
-#include "client/tools/relit.h"
+#include "client/tools/pictures/relit.h"
 #include "common/scene/settings.h"
 
 namespace metamer::cli {

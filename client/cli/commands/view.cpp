@@ -14,8 +14,8 @@
 #include "client/cli/scene_input.h"
 #include "client/cli/shared_options.h"
 #include "client/session/problems.h"
-#include "client/tools/camera_motion.h"
-#include "client/tools/planned_developing.h"
+#include "client/tools/pictures/planned_developing.h"
+#include "client/tools/scene/camera_motion.h"
 #include "common/color/error_statistics.h"
 #include "common/scene/methods.h"
 

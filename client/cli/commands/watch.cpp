@@ -5,7 +5,7 @@
 #include "client/cli/connection.h"
 #include "client/cli/shared_options.h"
 #include "client/session/film.h"
-#include "client/tools/job_text.h"
+#include "client/tools/text/job_text.h"
 #include "common/image/image.h"
 
 namespace metamer::cli {

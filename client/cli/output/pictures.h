@@ -3,7 +3,7 @@
 #include "client/cli/exit_code.h"
 #include "client/cli/report.h"
 #include "client/cli/shared_options.h"
-#include "client/tools/save_pictures.h"
+#include "client/tools/pictures/save_pictures.h"
 
 namespace metamer::cli {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "client/tools/csv.h"
+#include "client/tools/text/csv.h"
 #include "common/problem.h"
 
 namespace metamer::client {

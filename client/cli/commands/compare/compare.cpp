@@ -9,8 +9,8 @@
 #include "client/cli/commands/compare/compare_json.h"
 #include "client/cli/report.h"
 #include "client/cli/shared_options.h"
-#include "client/tools/comparison.h"
-#include "client/tools/formatted.h"
+#include "client/tools/pictures/comparison.h"
+#include "client/tools/text/formatted.h"
 #include "common/image/picture_file.h"
 
 namespace metamer::cli {

@@ -1,6 +1,6 @@
 #include "client/cli/commands/compare/compare_json.h"
 
-#include "client/tools/comparison.h"
+#include "client/tools/pictures/comparison.h"
 
 namespace metamer::cli {
 

@@ -3,7 +3,7 @@
 
 #include "client/cli/commands.h"
 #include "client/cli/commands/spectra/spectra_input.h"
-#include "client/tools/spectrum_facts.h"
+#include "client/tools/spectra/spectrum_facts.h"
 
 namespace metamer::cli {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "client/cli/report.h"
 #include "client/cli/shared_options.h"
-#include "client/tools/spectra_files.h"
+#include "client/tools/spectra/spectra_files.h"
 #include "common/spectral/cie.h"
 
 /// The words of the `metamer spectra` commands, what they read and what they write. Problems are

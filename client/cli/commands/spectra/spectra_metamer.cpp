@@ -3,7 +3,7 @@
 
 #include "client/cli/commands.h"
 #include "client/cli/commands/spectra/spectra_input.h"
-#include "client/tools/metamer_table.h"
+#include "client/tools/spectra/metamer_table.h"
 
 namespace metamer::cli {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "client/cli/commands.h"
 #include "client/cli/commands/spectra/spectra_input.h"
-#include "client/tools/spectra_change.h"
+#include "client/tools/spectra/spectra_change.h"
 
 namespace metamer::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include "client/cli/commands.h"
 #include "client/cli/commands/spectra/spectra_input.h"
 #include "client/cli/development.h"
-#include "client/tools/spectrum_rgb.h"
+#include "client/tools/spectra/spectrum_rgb.h"
 
 namespace metamer::cli {
 namespace {

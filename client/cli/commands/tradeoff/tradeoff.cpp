@@ -11,8 +11,8 @@
 #include "client/cli/overrides.h"
 #include "client/cli/scene_input.h"
 #include "client/cli/shared_options.h"
-#include "client/tools/formatted.h"
-#include "client/tools/tradeoff_run.h"
+#include "client/tools/text/formatted.h"
+#include "client/tools/tradeoff/tradeoff_run.h"
 
 namespace metamer::cli {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "client/cli/commands/compare/compare_json.h"
 #include "client/cli/commands/tradeoff/tradeoff_texts.h"
-#include "client/tools/formatted.h"
+#include "client/tools/text/formatted.h"
 
 namespace metamer::cli {
 using client::Tradeoff;

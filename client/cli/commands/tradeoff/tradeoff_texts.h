@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "client/cli/json.h"
-#include "client/tools/tradeoff.h"
+#include "client/tools/tradeoff/tradeoff.h"
 
 /// How a trade is shown.
 namespace metamer::cli {

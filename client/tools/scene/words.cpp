@@ -1,0 +1,69 @@
+#include "client/tools/scene/words.h"
+
+#include <algorithm>
+
+#include "common/scene/development.h"
+#include "common/scene/schema.h"
+
+namespace metamer::client {
+namespace {
+
+using google::protobuf::EnumDescriptor;
+using google::protobuf::EnumValueDescriptor;
+
+/// Null when the word names nothing.
+const EnumValueDescriptor* find(const std::string& word, const EnumDescriptor& type) {
+  for (int i = 0; i < type.value_count(); ++i)
+    if (word_of(*type.value(i)) == word) return type.value(i);
+  return nullptr;
+}
+
+}  // namespace
+
+std::string word_of(const EnumValueDescriptor& value) {
+  std::string word = value.name();
+  std::transform(word.begin(), word.end(), word.begin(), [](char c) {
+    if (c == '_') return '-';
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return word;
+}
+
+std::vector<std::string> words_of(const EnumDescriptor& type) {
+  std::vector<std::string> words;
+  for (int i = 0; i < type.value_count(); ++i) words.push_back(word_of(*type.value(i)));
+  return words;
+}
+
+Result<int> value_named(const std::string& word, const char* what, const EnumDescriptor& type) {
+  if (const EnumValueDescriptor* value = find(word, type)) return value->number();
+  const std::vector<std::string> words = words_of(type);
+  const std::string hint = did_you_mean(word, words);
+  return problem("no " + std::string(what) + " named " + quoted(word) +
+                 (hint.empty() ? "; there are " + join(words) : hint));
+}
+
+Result<v1::Observer> observer_named(const std::string& word) {
+  const EnumDescriptor& type = *v1::Observer_descriptor();
+  if (const EnumValueDescriptor* value = find(word, type))
+    return static_cast<v1::Observer>(value->number());
+  return problem("no observer named " + quoted(word) + did_you_mean(word, words_of(type)));
+}
+
+Result<v1::Adaptation> adaptation_named(const std::string& word) {
+  for (int value = 0; value < v1::Adaptation_ARRAYSIZE; ++value) {
+    const auto adaptation = static_cast<v1::Adaptation>(value);
+    if (find_adaptation(word) == to_adaptation(adaptation)) return adaptation;
+  }
+  return problem("no adaptation named " + quoted(word) + did_you_mean(word, adaptation_words()));
+}
+
+Result<v1::RgbSpace> rgb_space_named(const std::string& word) {
+  for (int value = 0; value < v1::RgbSpace_ARRAYSIZE; ++value) {
+    const auto space = static_cast<v1::RgbSpace>(value);
+    if (rgb_space(to_standard_space(space)).word == word) return space;
+  }
+  return problem("no RGB space named " + quoted(word) + did_you_mean(word, rgb_space_words()));
+}
+
+}  // namespace metamer::client

@@ -1,0 +1,51 @@
+#include "client/tools/spectra/spectrum_facts.h"
+
+#include <algorithm>
+
+#include "client/tools/spectra/summation.h"
+
+namespace metamer::client {
+namespace {
+
+EmissionFacts emission_facts(const Spectrum& light) {
+  const Wavelengths wavelengths = own_wavelengths(light);
+  const std::vector<double> power = resample(light, wavelengths.nm(), Outside::zero).values;
+  const auto observed = [&](cie::Observer observer) {
+    const Xyz xyz = to_xyz(observer_weights(observer, wavelengths), power);
+    return ObservedLight{observer, xyz[1], chromaticity(xyz)};
+  };
+  EmissionFacts facts{
+      {observed(cie::Observer::cie_1931_2deg), observed(cie::Observer::cie_1964_10deg)}, {}, {}};
+  if (const auto own = facts.observed[0].chromaticity) facts.temperature = color_temperature(*own);
+  if (const auto index = rendering_index(light)) facts.rendering = *index;
+  return facts;
+}
+
+ReflectanceFacts reflectance_facts(const Spectrum& reflectance, const Spectrum& light,
+                                   cie::Observer observer) {
+  const Wavelengths wavelengths = fine_wavelengths(light);
+  const ObserverWeights lit = under_light(observer_weights(observer, wavelengths),
+                                          resample(light, wavelengths.nm(), Outside::zero).values);
+  const Xyz white = to_xyz(lit, std::vector<double>(wavelengths.size(), 1.0));
+  const Xyz xyz = to_xyz(lit, resample(reflectance, wavelengths.nm(), Outside::hold).values);
+  ReflectanceFacts facts{xyz[1], chromaticity(xyz), {}};
+  if (*std::min_element(white.begin(), white.end()) > 0) facts.lab = to_lab(xyz, white);
+  return facts;
+}
+
+}  // namespace
+
+SpectrumFacts spectrum_facts(const LoadedSpectrum& one, const Spectrum& light,
+                             cie::Observer observer) {
+  const Spectrum& spectrum = one.spectrum;
+  const auto [least, most] = std::minmax_element(spectrum.values.begin(), spectrum.values.end());
+  SpectrumFacts facts{
+      spectrum.nm.front(), spectrum.nm.back(), spectrum.nm.size(), *least, *most, {}};
+  if (one.emission)
+    facts.look = emission_facts(spectrum);
+  else
+    facts.look = reflectance_facts(spectrum, light, observer);
+  return facts;
+}
+
+}  // namespace metamer::client
