@@ -68,6 +68,11 @@ Result<void> add_method(const Overrides& overrides, Look& look) {
                      did_you_mean(*overrides.method, field_names(*v1::Method::descriptor())));
     if (positions && *overrides.method != "point")
       return problem("--method " + *overrides.method + " has no wavelengths to choose");
+    if (*overrides.method == "auto") {
+      look.settings.mutable_goal();
+      look.set("goal", "--method");
+      return {};
+    }
     v1::Method& method = *look.settings.mutable_method();
     method.GetReflection()->MutableMessage(&method, field);
     if (!positions) look.mask.add_paths("method." + field->name());
@@ -116,17 +121,18 @@ Result<void> add_positions(const Overrides& overrides, Look& look) {
   return {};
 }
 
-/// For a method that is point sampling, or will be as none is chosen.
-Result<void> check_multi_pass(const v1::Method& method) {
-  if (method.method_case() == v1::Method::METHOD_NOT_SET || method.has_point()) return {};
+/// For a method that is point sampling, or will be as there is neither another nor a goal.
+Result<void> check_multi_pass(const v1::Settings& settings) {
+  const v1::Method& method = settings.method();
+  const bool unset = method.method_case() == v1::Method::METHOD_NOT_SET;
+  if (method.has_point() || (unset && !method.has_auto_() && !settings.has_goal())) return {};
   return problem("--multi-pass is for --method point");
 }
 
 Result<void> add_multi_pass(const Overrides& overrides, Look& look) {
   if (!overrides.multi_pass) return {};
-  v1::Method& method = *look.settings.mutable_method();
-  if (Result<void> checked = check_multi_pass(method); !checked) return checked;
-  method.mutable_point()->set_multi_pass(true);
+  if (Result<void> checked = check_multi_pass(look.settings); !checked) return checked;
+  look.settings.mutable_method()->mutable_point()->set_multi_pass(true);
   look.set("method.point.multi_pass", "--multi-pass");
   return {};
 }
@@ -144,7 +150,7 @@ std::optional<double> parse_seconds(std::string_view text) {
   return number ? std::optional(unit * *number) : std::nullopt;
 }
 
-/// A goal asks for the method `auto` by itself.
+/// A goal takes the place of a method by itself.
 Result<void> add_goal(const Overrides& overrides, Look& look) {
   if (!overrides.tolerance && !overrides.deadline) return {};
   const char* option = overrides.tolerance ? "--tolerance" : "--deadline";
@@ -153,7 +159,7 @@ Result<void> add_goal(const Overrides& overrides, Look& look) {
   if (overrides.method.value_or("auto") != "auto" || overrides.samples || overrides.wavelengths ||
       overrides.bases || overrides.fitted || overrides.multi_pass)
     return problem(std::string(option) + " is for --method auto");
-  v1::Auto& goal = *look.settings.mutable_method()->mutable_auto_();
+  v1::Goal& goal = *look.settings.mutable_goal();
   if (overrides.tolerance) {
     goal.set_tolerance(*overrides.tolerance);
   } else {
@@ -162,8 +168,7 @@ Result<void> add_goal(const Overrides& overrides, Look& look) {
       return problem("--deadline: \"" + *overrides.deadline + "\" is not a time, such as 2s");
     goal.set_deadline(*seconds);
   }
-  look.mask.add_paths("method.auto");
-  look.replaced.push_back({"settings.method", option});
+  look.set("goal", option);
   return {};
 }
 
@@ -269,7 +274,7 @@ Result<std::vector<Replaced>> apply(const Overrides& overrides, v1::Scene& scene
   const bool chosen =
       overrides.method || overrides.samples || overrides.wavelengths || overrides.fitted;
   if (overrides.multi_pass && !chosen)
-    if (Result<void> checked = check_multi_pass(scene.settings().method()); !checked)
+    if (Result<void> checked = check_multi_pass(scene.settings()); !checked)
       return tl::unexpected(std::move(checked.error()));
   auto replaced = client::apply(*look, scene);
   // What can be wrong by now is a light's name.

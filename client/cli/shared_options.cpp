@@ -31,7 +31,7 @@ void declare_overrides(Overrides& overrides, Options& options) {
     options.push_back({.names = name, .target = target, .meaning = meaning, .group = group});
   };
   add("--backend", &overrides.backend, "cpu, a ray tracer, or gl: OpenGL, without mirrors");
-  add("--method", &overrides.method, "how colour is carried: " + method_words());
+  add("--method", &overrides.method, "how colour is carried: " + method_words() + " or auto");
   add("--samples", &overrides.samples, "point at FROM:TO:STEP nm, such as 400:700:5");
   add("--wavelengths", &overrides.wavelengths, "point at these nm, such as 400,436,546,700");
   add("--fitted", &overrides.fitted, "point at so many nm, 1 to 64, that are chosen for the scene");

@@ -53,9 +53,8 @@ void check_linear(const v1::Method& method, const std::string& field, Findings& 
   check_range(method.linear().bases(), 1, limits::max_bases, field + ".bases", findings);
 }
 
-void check_auto(const v1::Method& method, const std::string& field, Findings& findings) {
-  const v1::Auto& goal = method.auto_();
-  const bool tolerance = goal.goal_case() == v1::Auto::kTolerance;
+void check_goal(const v1::Goal& goal, const std::string& field, Findings& findings) {
+  const bool tolerance = goal.goal_case() == v1::Goal::kTolerance;
   const double value = tolerance ? goal.tolerance() : goal.deadline();
   const std::string name = tolerance ? "tolerance" : "deadline";
   if (!(value > 0))

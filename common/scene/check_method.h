@@ -8,6 +8,8 @@ namespace metamer {
 
 void check_point(const v1::Method& method, const std::string& field, Findings& findings);
 void check_linear(const v1::Method& method, const std::string& field, Findings& findings);
-void check_auto(const v1::Method& method, const std::string& field, Findings& findings);
+
+/// Of a goal, `field` is its own path.
+void check_goal(const v1::Goal& goal, const std::string& field, Findings& findings);
 
 }  // namespace metamer

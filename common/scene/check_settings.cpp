@@ -1,3 +1,4 @@
+#include "common/scene/check_method.h"
 #include "common/scene/development.h"
 #include "common/scene/limits.h"
 #include "common/scene/methods.h"
@@ -11,6 +12,24 @@ namespace {
 void check_picture(const v1::Settings& full, const std::string& field, Findings& findings) {
   check_range(full.width(), 1, limits::max_side, field + ".width", findings);
   check_range(full.height(), 1, limits::max_side, field + ".height", findings);
+}
+
+/// What there is instead of a method, by either of its names.
+void check_goals(const v1::Settings& settings, const v1::Settings& full, const std::string& field,
+                 Findings& findings) {
+  const bool older = settings.method().has_auto_();
+  if (older && settings.has_goal())
+    return findings.add(field + ".method.auto",
+                        "auto is the older way to write goal, which is given too: leave it out");
+  if (!older && !settings.has_goal()) return;
+
+  const std::string name = older ? "method.auto" : "goal";
+  if (const MethodEntry* method = method_entry(settings.method()))
+    return findings.add(field + "." + name,
+                        "settings take a method or a goal, not both: leave out " +
+                            std::string(method->word) + " and the server chooses, or leave out " +
+                            name);
+  check_goal(full.goal(), field + "." + name, findings);
 }
 
 /// Its other values are those of enums, which check_values knows.
@@ -27,8 +46,9 @@ void check_settings(const v1::Settings& settings, const std::string& field, Find
 
   const v1::Settings full = with_defaults(settings);
   check_picture(full, field, findings);
-  if (const MethodEntry& method = *method_entry(full.method()); method.check)
-    method.check(full.method(), field + ".method." + method.word, findings);
+  check_goals(settings, full, field, findings);
+  if (const MethodEntry* method = method_entry(full.method()); method && method->check)
+    method->check(full.method(), field + ".method." + method->word, findings);
   check_development(full.development(), field + ".development", findings);
   check_range(full.spp(), 1, limits::max_spp, field + ".spp", findings);
   check_range(full.depth(), 0, limits::max_depth, field + ".depth", findings);

@@ -65,17 +65,6 @@ std::string planned_exact(const v1::Plan& plan) {
   return "exact with " + counted(plan.signatures(), "signature");
 }
 
-void fill_auto(v1::Method& method) {
-  if (method.auto_().goal_case() == v1::Auto::GOAL_NOT_SET)
-    method.mutable_auto_()->set_tolerance(0.5);
-}
-
-std::string auto_text(const v1::Method& method) {
-  const v1::Auto& goal = method.auto_();
-  return goal.has_deadline() ? "auto, deadline " + number(goal.deadline()) + " s"
-                             : "auto, tolerance " + number(goal.tolerance());
-}
-
 }  // namespace
 
 const std::vector<MethodEntry>& method_entries() {
@@ -104,8 +93,7 @@ const std::vector<MethodEntry>& method_entries() {
        .planned = planned_linear},
       {.word = "exact", .trials = {{0, "exact {}"}}, .planned = planned_exact},
       {.word = "prefilter", .trials = {{2, "prefilter {}"}}},
-      {.word = "rgb", .trials = {{1, "rgb {}"}}},
-      {.word = "auto", .trials = {}, .fill = fill_auto, .check = check_auto, .text = auto_text}};
+      {.word = "rgb", .trials = {{1, "rgb {}"}}}};
   return entries;
 }
 
@@ -121,9 +109,8 @@ const MethodEntry* method_entry(const v1::Method& method) {
 
 std::string method_words() {
   std::string words;
-  const auto& entries = method_entries();
-  for (std::size_t i = 0; i < entries.size(); ++i)
-    words += std::string(i == 0 ? "" : i + 1 < entries.size() ? ", " : " or ") + entries[i].word;
+  for (const MethodEntry& entry : method_entries())
+    words += (words.empty() ? "" : ", ") + std::string(entry.word);
   return words;
 }
 

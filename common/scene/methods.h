@@ -33,7 +33,7 @@ const std::vector<MethodEntry>& method_entries();
 /// Of the method that is set; null where none is.
 const MethodEntry* method_entry(const v1::Method& method);
 
-/// "point, linear, exact, prefilter, rgb or auto".
+/// "point, linear, exact, prefilter, rgb".
 std::string method_words();
 
 /// A method with its parameters as people write it: "point 400:700:5", "linear 4 observer",

@@ -6,6 +6,14 @@
 
 namespace metamer {
 
+void take_older_goal(v1::Settings& settings) {
+  const v1::Method& method = settings.method();
+  const bool alone = method.method_case() == v1::Method::METHOD_NOT_SET && !settings.has_goal();
+  if (!method.has_auto_() || !alone) return;
+  *settings.mutable_goal() = method.auto_();
+  settings.clear_method();
+}
+
 v1::Settings with_defaults(const v1::Settings& settings) {
   v1::Settings full = settings;
   if (!full.has_width()) full.set_width(640);
@@ -14,9 +22,13 @@ v1::Settings with_defaults(const v1::Settings& settings) {
   if (!full.has_depth()) full.set_depth(4);
   if (!full.has_tile_size()) full.set_tile_size(16);
 
-  v1::Method& method = *full.mutable_method();
-  if (method.method_case() == v1::Method::METHOD_NOT_SET) method.mutable_point();
-  if (const auto fill = method_entry(method)->fill) fill(method);
+  take_older_goal(full);
+  if (full.has_goal() && full.goal().goal_case() == v1::Goal::GOAL_NOT_SET)
+    full.mutable_goal()->set_tolerance(0.5);
+  if (!full.has_goal() && full.method().method_case() == v1::Method::METHOD_NOT_SET)
+    full.mutable_method()->mutable_point();
+  if (const MethodEntry* method = method_entry(full.method()); method && method->fill)
+    method->fill(*full.mutable_method());
   return full;
 }
 

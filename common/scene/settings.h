@@ -7,7 +7,12 @@
 
 namespace metamer {
 
-/// The settings with every default of scene.proto filled in, the method included.
+/// Moves a goal that stands in method.auto, where scenes had it before, to its place. Where a
+/// method or a goal is there too, nothing changes: check_settings says so.
+void take_older_goal(v1::Settings& settings);
+
+/// The settings with every default of scene.proto filled in, those of the goal and the method
+/// included; with a goal, none is the method. A goal stands in its place (take_older_goal).
 v1::Settings with_defaults(const v1::Settings& settings);
 
 /// The positions of a point method whose defaults are filled in; not of one that is fitted.

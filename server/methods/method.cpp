@@ -27,7 +27,6 @@ std::unique_ptr<Method> make_method(const v1::Plan& plan, const RenderScene& sce
       return make_linear(plan, scene);
     case v1::Method::kPrefilter:
       return make_prefilter(plan, scene);
-    case v1::Method::kAuto:
     case v1::Method::METHOD_NOT_SET:
       break;
   }
@@ -42,10 +41,8 @@ Features method_features(const v1::Method& method) {
     case v1::Method::kExact:
     case v1::Method::kLinear:
     case v1::Method::kPrefilter:
-    case v1::Method::kAuto:  // one of them
+    case v1::Method::METHOD_NOT_SET:  // it is chosen later
       return Features::all();
-    case v1::Method::METHOD_NOT_SET:
-      break;
   }
   return {};
 }

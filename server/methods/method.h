@@ -35,7 +35,7 @@ class Method {
 
 std::unique_ptr<Method> make_method(const v1::Plan& plan, const RenderScene& scene);
 
-/// What a method has of what a scene may need.
+/// What a method has of what a scene may need; of none, what one that is chosen later has.
 Features method_features(const v1::Method& method);
 
 /// The wavelengths at which a method reads the spectra, its defaults filled in; where it is made

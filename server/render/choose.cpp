@@ -121,7 +121,7 @@ Choice keep_deadline(Predictor& predictor, const std::atomic<bool>& stopped, dou
 
 }  // namespace
 
-Choice choose(const PilotScene& pilot, const v1::Auto& goal, double elapsed) {
+Choice choose(const PilotScene& pilot, const v1::Goal& goal, double elapsed) {
   const auto start = std::chrono::steady_clock::now();
   const auto so_far = [=] {
     return elapsed +
@@ -139,8 +139,7 @@ std::vector<v1::Prediction> predict_all(const PilotScene& pilot, const v1::Metho
   const auto same = [&](const v1::Method& other) {
     return MessageDifferencer::Equals(method, other);
   };
-  if (!method.has_auto_() && std::none_of(methods.begin(), methods.end(), same))
-    methods.push_back(method);
+  if (std::none_of(methods.begin(), methods.end(), same)) methods.push_back(method);
   std::vector<v1::Prediction> all;
   for (const v1::Method& one : methods) {
     if (pilot.stopped) break;

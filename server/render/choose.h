@@ -17,7 +17,7 @@ struct Choice {
 /// colours, and on pixels that had no part in the choice. With a deadline, the most accurate one
 /// that keeps to it, where `elapsed` seconds are spent already. Looks on only while that can save
 /// more time than it takes.
-Choice choose(const PilotScene& pilot, const v1::Auto& goal, double elapsed);
+Choice choose(const PilotScene& pilot, const v1::Goal& goal, double elapsed);
 
 /// The predictions of all candidates(), for those who want to know; `method` among them, marked as
 /// chosen.

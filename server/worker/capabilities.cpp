@@ -40,14 +40,18 @@ v1::Capabilities capabilities(const WorkerOptions& options,
   options.backend->describe(result);
   for (const auto& [name, features] : backends) set(name, features, *result.add_backend_features());
   result.set_threads(options.threads);
+  const auto add_method = [&](const std::string& name, const v1::Method& method) {
+    result.add_method(name);
+    set(name, method_features(method), *result.add_method_features());
+  };
   const auto* methods = v1::Method::descriptor()->FindOneofByName("method");
   for (int i = 0; i < methods->field_count(); ++i) {
     const auto* field = methods->field(i);
     v1::Method method;
     method.GetReflection()->MutableMessage(&method, field);
-    result.add_method(field->name());
-    set(field->name(), method_features(method), *result.add_method_features());
+    add_method(field->name(), method);
   }
+  add_method("auto", {});  // what clients offer beside them: a goal
   using models::Kind;
   for (const Kind kind : {Kind::model, Kind::diffuse, Kind::slope, Kind::attenuation})
     for (const models::Entry& entry : models::registry(kind)) add(entry, result);

@@ -106,17 +106,19 @@ void Job::compile(const v1::CompileJob& message) {
 /// stopped.
 bool Job::make_plan(const v1::CompileJob& message) {
   const Capabilities capabilities = options_.plan_capabilities();
-  const bool is_auto = settings_.method().has_auto_();
-  const v1::Auto goal = settings_.method().auto_();
+  const bool has_goal = settings_.has_goal();
+  const v1::Goal goal = settings_.goal();
+  settings_.clear_goal();
+  const bool is_open = has_goal && !message.has_chosen();
   if (message.has_chosen()) *settings_.mutable_method() = message.chosen();
 
   std::vector<v1::Prediction> predictions;
   std::string objection;
-  if (settings_.method().has_auto_() || message.explain()) {
+  if (is_open || message.explain()) {
     if (!build([&] { return probe_->prepare(stopped_); })) return false;
     const auto start = Clock::now();
     const PilotScene pilot{*scene_, *probe_, settings_, capabilities, stopped_, work_};
-    if (settings_.method().has_auto_()) {
+    if (is_open) {
       Choice choice = choose(pilot, goal, seconds_since(begun_));
       *settings_.mutable_method() = choice.method;
       method_ = std::move(choice.prepared);
@@ -133,13 +135,13 @@ bool Job::make_plan(const v1::CompileJob& message) {
   plan_ = metamer::make_plan(*scene_, settings_, capabilities);
   plan_.set_scene_digest(message.scene_sha256());
   plan_.mutable_prediction()->Assign(predictions.begin(), predictions.end());
-  if (is_auto) *plan_.mutable_auto_() = goal;
+  if (has_goal) *plan_.mutable_auto_() = goal;
   const auto say = [&](const char* field, const std::string& message) {
     v1::Notice* notice = plan_.add_notice();
     notice->set_field(field);
     notice->set_message(message);
   };
-  if (!objection.empty()) say("settings.method.auto", objection);
+  if (!objection.empty()) say("settings.goal", objection);
   if (message.keep_factors() && !keep_factors_)
     say("material", "the scene's spectra are too many to keep factors for");
   return true;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/scene/limits.h"
+#include "common/scene/methods.h"
 #include "common/scene/settings.h"
 #include "common/scene/validate.h"
 #include "server/scene/compile.h"
@@ -18,7 +19,10 @@ constexpr double far_away = 16;
 v1::Settings view_settings(const v1::Settings& from, const Backend& backend) {
   v1::Settings settings = with_defaults(from);
   settings.set_backend(backend.id());
-  if (settings.method().has_auto_()) settings.mutable_method()->mutable_exact();
+  if (settings.has_goal() && method_entry(settings.method()) == nullptr) {
+    settings.clear_goal();
+    settings.mutable_method()->mutable_exact();
+  }
   return settings;
 }
 

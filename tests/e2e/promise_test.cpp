@@ -61,6 +61,18 @@ TEST_F(Promised, AToleranceIsKeptAndMeasuredOnFreshPixels) {
   }
 }
 
+TEST_F(Promised, IsAskedForInTheSceneByEitherName) {
+  for (const std::string goal : {"goal { tolerance: 2 }", "method { auto { tolerance: 2 } }"}) {
+    std::string text = small_scene();
+    text.insert(text.find("settings {") + 10, " " + goal);
+    const Json answer =
+        daemon.json({"render", folder.write("goal.txtpb", text), "-o", folder / "a.png"});
+    ASSERT_EQ(answer["exit_code"], 0) << answer;
+    EXPECT_EQ(answer["plan"]["auto"]["tolerance"], 2) << goal;
+    EXPECT_TRUE(answer["accuracy"]["kept"].get<bool>()) << goal;
+  }
+}
+
 TEST_F(Promised, ABrokenOneHasItsExitCodeAndThePictureIsThereAllTheSame) {
   const std::string file = folder / "late.png";
   const Ended ended = daemon.metamer({"render", scene, "--deadline", "0.000001s", "-o", file});

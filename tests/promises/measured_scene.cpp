@@ -66,8 +66,8 @@ MeasuredScene::Rendered MeasuredScene::render(const v1::Method& method) {
   return {seconds, summarize(errors)};
 }
 
-v1::Auto tolerance(double value) {
-  v1::Auto goal;
+v1::Goal tolerance(double value) {
+  v1::Goal goal;
   goal.set_tolerance(value);
   return goal;
 }

@@ -35,6 +35,6 @@ class MeasuredScene {
   std::vector<Lab> truth_;
 };
 
-v1::Auto tolerance(double value);
+v1::Goal tolerance(double value);
 
 }  // namespace metamer::promises

@@ -57,7 +57,7 @@ struct Times {
   double choosing = std::numeric_limits<double>::infinity(), chosen = choosing, best = choosing;
 };
 
-Times time_all(MeasuredScene& scene, const v1::Auto& goal, const v1::Method& chosen,
+Times time_all(MeasuredScene& scene, const v1::Goal& goal, const v1::Method& chosen,
                const v1::Method& best) {
   Times times;
   for (int turn = 0; turn < 2; ++turn) {

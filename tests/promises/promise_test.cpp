@@ -37,7 +37,7 @@ TEST(Choice, SaysWhyWhenNoMethodIsThatAccurate) {
 }
 
 TEST(Choice, SaysWhyWhenNoMethodIsThatQuickAndTakesTheCheapest) {
-  v1::Auto goal;
+  v1::Goal goal;
   goal.set_deadline(1e-6);
   const Choice choice = choose(a_scene().pilot(), goal, 0);
   EXPECT_EQ(choice.objection.find("no method keeps to a deadline of 1e-06 s"), 0u)
@@ -54,7 +54,7 @@ TEST(Choice, SaysWhyWhenNoMethodIsThatQuickAndTakesTheCheapest) {
 }
 
 TEST(Choice, WithTimeEnoughTakesAMethodWhoseErrorNobodySees) {
-  v1::Auto goal;
+  v1::Goal goal;
   goal.set_deadline(1e6);
   const Choice choice = choose(a_scene().pilot(), goal, 0);
   EXPECT_EQ(choice.objection, "");

@@ -2,7 +2,10 @@
 
 #include <google/protobuf/util/field_mask_util.h>
 
+#include <algorithm>
 #include <utility>
+
+#include "common/scene/settings.h"
 
 namespace metamer::client {
 namespace {
@@ -30,9 +33,22 @@ bool contains(const std::string& outer, const std::string& inner) {
   return inner.size() == outer.size() || inner[outer.size()] == '.' || inner[outer.size()] == '[';
 }
 
+/// A method and a goal exclude each other: where the look has one, the scene's other goes.
+void make_room(const google::protobuf::FieldMask& mask, v1::Settings& settings) {
+  const auto names = [&](const char* field) {
+    return std::any_of(mask.paths().begin(), mask.paths().end(),
+                       [&](const std::string& path) { return contains(field, path); });
+  };
+  take_older_goal(settings);
+  const bool method = names("method"), goal = names("goal");
+  if (method) settings.clear_goal();
+  if (goal) settings.clear_method();
+}
+
 }  // namespace
 
 Result<std::vector<Replaced>> apply(const Look& look, v1::Scene& scene) {
+  make_room(look.mask, *scene.mutable_settings());
   FieldMaskUtil::MergeOptions options;
   options.set_replace_repeated_fields(true);
   FieldMaskUtil::MergeMessageTo(look.settings, look.mask, options, scene.mutable_settings());

@@ -38,9 +38,9 @@ struct Look {
 };
 
 /// Puts the look's values in the place of the scene's. A message that the mask names as a whole is
-/// merged; a list is replaced. Whether the values make sense is validate_scene's business. Returns
-/// all that was replaced. Error: a light that is not there, with "did you mean"; the scene may be
-/// changed in part then.
+/// merged; a list is replaced; a method takes the place of a goal, and a goal that of a method.
+/// Whether the values make sense is validate_scene's business. Returns all that was replaced.
+/// Error: a light that is not there, with "did you mean"; the scene may be changed in part then.
 Result<std::vector<Replaced>> apply(const Look& look, v1::Scene& scene);
 
 /// By what the field, or one that it lies in, was replaced; empty when it is the scene's own.

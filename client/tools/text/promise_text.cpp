@@ -7,7 +7,7 @@ namespace metamer::client {
 
 std::optional<PromiseText> promise_text(const v1::Plan& plan, const v1::Finished& finished) {
   if (!plan.has_auto_() || !finished.has_accuracy()) return std::nullopt;
-  const v1::Auto& goal = plan.auto_();
+  const v1::Goal& goal = plan.auto_();
   const v1::ColorError& error = finished.accuracy().error();
 
   std::string text = method_text(plan.method()) + ": ";

@@ -52,6 +52,7 @@ struct Outcome {
 asio::awaitable<Stopped<Outcome>> render_by(const Run& run, const v1::Method& method,
                                             const std::string& name) {
   v1::Scene scene = run.scene.scene;
+  scene.mutable_settings()->clear_goal();
   *scene.mutable_settings()->mutable_method() = method;
   const Submission submission =
       make_submission(scene, run.scene.assets, "tradeoff: " + name, false);

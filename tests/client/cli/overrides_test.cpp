@@ -138,11 +138,31 @@ TEST(Overrides, AGoalAsksForTheMethodThatChooses) {
     Overrides overrides;
     overrides.deadline = text;
     ASSERT_TRUE(apply(overrides, scene)) << text;
-    EXPECT_DOUBLE_EQ(scene.settings().method().auto_().deadline(), seconds) << text;
+    EXPECT_DOUBLE_EQ(scene.settings().goal().deadline(), seconds) << text;
   }
   Overrides overrides;
   overrides.deadline = "2h";
   EXPECT_EQ(error_of(overrides), "--deadline: \"2h\" is not a time, such as 2s");
+}
+
+TEST(Overrides, MethodAutoIsAGoalAndKeepsTheScenes) {
+  Overrides overrides;
+  overrides.method = "auto";
+  for (const auto& [before, after] :
+       {std::pair{"method { rgb {} }", "goal { }"},
+        {"goal { tolerance: 2 }", "goal { tolerance: 2 }"},
+        {"method { auto { tolerance: 2 } }", "goal { tolerance: 2 }"}}) {
+    v1::Scene scene = scene_from("settings { " + std::string(before) + " }");
+    const auto replaced = apply(overrides, scene);
+    ASSERT_TRUE(replaced);
+    EXPECT_EQ(scene.settings().ShortDebugString(), after) << before;
+    EXPECT_EQ(replaced_by(*replaced, "settings.goal"), "--method");
+  }
+  overrides.multi_pass = true;
+  EXPECT_EQ(error_of(overrides), "--multi-pass is for --method point");
+  overrides.method.reset();
+  for (const char* text : {"settings { goal {} }", "settings { method { auto {} } }"})
+    EXPECT_EQ(error_of(overrides, scene_from(text)), "--multi-pass is for --method point");
 }
 
 TEST(Overrides, ALightIsGivenOnce) {

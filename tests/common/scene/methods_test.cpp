@@ -23,7 +23,7 @@ TEST(Methods, TheTableHasEachMemberOfTheSchemaOnce) {
   for (int i = 0; i < oneof.field_count(); ++i) members.insert(oneof.field(i)->name());
   for (const MethodEntry& entry : method_entries()) words.insert(entry.word);
   EXPECT_EQ(words, members);
-  EXPECT_EQ(method_words(), "point, linear, exact, prefilter, rgb or auto");
+  EXPECT_EQ(method_words(), "point, linear, exact, prefilter, rgb");
   EXPECT_EQ(method_entry({}), nullptr);
 }
 

@@ -1,5 +1,6 @@
 #include "common/scene/settings.h"
 
+#include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
 
 #include "scene_text.h"
@@ -43,6 +44,55 @@ TEST(Settings, DefaultsReplaceNothingThatIsGiven) {
   v1::Settings listed;
   listed.mutable_method()->mutable_point()->add_wavelengths(546);
   EXPECT_FALSE(with_defaults(listed).method().point().has_from());
+}
+
+TEST(Settings, AGoalWrittenTheOlderWayIsTheSame) {
+  const auto filled = [](const std::string& text) {
+    v1::Settings settings;
+    EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(text, &settings));
+    return with_defaults(settings);
+  };
+  for (const auto& [goal, expected] : {std::pair{"", "tolerance: 0.5"},
+                                       {"tolerance: 2", "tolerance: 2"},
+                                       {"deadline: 3", "deadline: 3"}}) {
+    const std::string text = " { " + std::string(goal) + " }";
+    const v1::Settings now = filled("goal" + text);
+    const v1::Settings before = filled("method { auto" + text + " }");
+    EXPECT_EQ(now.goal().ShortDebugString(), expected);
+    EXPECT_FALSE(now.has_method());
+    EXPECT_EQ(before.ShortDebugString(), now.ShortDebugString());
+    EXPECT_EQ(with_defaults(now).ShortDebugString(), now.ShortDebugString());
+  }
+}
+
+TEST(Settings, TheOlderGoalHasItsBytes) {
+  // 4: Settings.method, 6: Method.auto, 2: deadline; as clients send it that know no goal.
+  v1::Settings settings;
+  ASSERT_TRUE(
+      settings.ParseFromString(std::string("\x22\x0b\x32\x09\x11\0\0\0\0\0\0\x08\x40", 13)));
+  EXPECT_EQ(with_defaults(settings).goal().deadline(), 3);
+}
+
+TEST(Settings, OfAGoalMustBeAboveZeroAndStandAlone) {
+  EXPECT_EQ(settings("goal {}"), Strings());
+  EXPECT_EQ(settings("goal { deadline: 1 } method {}"), Strings());
+  EXPECT_EQ(settings("goal { tolerance: 0 }"),
+            Strings({"settings.goal.tolerance: tolerance must be above 0 (it is 0)"}));
+  EXPECT_EQ(settings("method { auto { deadline: -1 } }"),
+            Strings({"settings.method.auto.deadline: deadline must be above 0 (it is -1)"}));
+  EXPECT_EQ(settings("goal { deadline: nan }"),
+            Strings({"settings.goal.deadline: deadline must be finite (it is nan)"}));
+  EXPECT_EQ(
+      settings("goal {} method { exact {} }"),
+      Strings({"settings.goal: settings take a method or a goal, not both: leave out exact and "
+               "the server chooses, or leave out goal"}));
+  EXPECT_EQ(settings("method { auto {} point { step: 5 } }"),
+            Strings({"settings.method.auto: settings take a method or a goal, not both: leave out "
+                     "point and the server chooses, or leave out method.auto",
+                     "settings.method.point: point needs from, to and step together"}));
+  EXPECT_EQ(settings("goal {} method { auto {} }"),
+            Strings({"settings.method.auto: auto is the older way to write goal, which is given "
+                     "too: leave it out"}));
 }
 
 TEST(Settings, BothObserversHaveTheirTable) {

@@ -52,6 +52,16 @@ TEST_F(WorkerViewScene, ImportsASceneAndItsRenderer) {
   EXPECT_EQ(backend_.seen.prepared, 1);
 }
 
+TEST_F(WorkerViewScene, AGoalIsShownByTheExactMethod) {
+  for (const std::string goal : {"goal { deadline: 1 }", "method { auto {} }"}) {
+    open(ball_scene("width: 8 height: 8 " + goal));
+    EXPECT_TRUE(scene_.settings().method().has_exact()) << goal;
+    EXPECT_FALSE(scene_.settings().has_goal()) << goal;
+  }
+  EXPECT_NE(problem_of("settings { goal {} method { rgb {} } }").find("not both"),
+            std::string::npos);
+}
+
 TEST_F(WorkerViewScene, ACameraLeavesEverythingElse) {
   open(ball_scene("width: 8 height: 8"));
   const RenderScene* before = &scene_.scene();

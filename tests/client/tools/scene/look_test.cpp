@@ -65,6 +65,36 @@ TEST(Look, AMessageIsMergedAndAListReplaced) {
   EXPECT_EQ(scene.settings().method().point().wavelengths(0), 600);
 }
 
+TEST(Look, AMethodTakesThePlaceOfAGoalAndAGoalThatOfAMethod) {
+  Look method, bases, goal;
+  method.settings.mutable_method()->mutable_exact();
+  method.set("method.exact", "");
+  bases.settings.mutable_method()->mutable_linear()->set_bases(3);
+  bases.set("method.linear.bases", "");
+  goal.settings.mutable_goal()->set_deadline(2);
+  goal.set("goal.deadline", "");
+
+  for (const std::string before :
+       {"goal { tolerance: 1 }", "method { auto { tolerance: 1 } }", "method { rgb {} }", ""}) {
+    v1::Scene scene = scene_from("settings { " + before + " }");
+    ASSERT_TRUE(apply(goal, scene));
+    EXPECT_EQ(scene.settings().ShortDebugString(), "goal { deadline: 2 }") << before;
+    ASSERT_TRUE(apply(method, scene));
+    EXPECT_EQ(scene.settings().ShortDebugString(), "method { exact { } }") << before;
+    ASSERT_TRUE(apply(goal, scene));
+    ASSERT_TRUE(apply(bases, scene));
+    EXPECT_EQ(scene.settings().ShortDebugString(), "method { linear { bases: 3 } }") << before;
+  }
+
+  // What changes neither leaves both as they are.
+  Look other;
+  other.settings.set_spp(2);
+  other.set("spp", "");
+  v1::Scene scene = scene_from("settings { goal { tolerance: 1 } }");
+  ASSERT_TRUE(apply(other, scene));
+  EXPECT_EQ(scene.settings().goal().tolerance(), 1);
+}
+
 TEST(Look, GivesLightsOtherSpectra) {
   v1::Scene scene =
       scene_from("light { name: 'lamp' spectrum { file: 'x' entry: 'y' } } light { name: 'sun' }");
