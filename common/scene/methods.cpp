@@ -65,6 +65,30 @@ std::string planned_exact(const v1::Plan& plan) {
   return "exact with " + counted(plan.signatures(), "signature");
 }
 
+std::vector<std::string> compared_points() {
+  std::vector<std::string> all;
+  for (const char* step : {"50", "20", "10", "5", "1"})
+    all.push_back("point { from: 400 to: 700 step: " + std::string(step) + " }");
+  for (const char* count : {"4", "6", "8", "12", "16"})
+    all.push_back("point { fitted: " + std::string(count) + " }");
+  return all;
+}
+
+std::vector<std::string> compared_linear() {
+  std::vector<std::string> all;
+  for (const char* bases : {"2", "3", "4", "5", "6", "8", "12", "16"})
+    for (const char* weighting : {"NONE", "OBSERVER"})
+      all.push_back("linear { bases: " + std::string(bases) + " weighting: " + weighting + " }");
+  return all;
+}
+
+v1::Method parsed(const std::string& text) {
+  v1::Method method;
+  [[maybe_unused]] const bool read = google::protobuf::TextFormat::ParseFromString(text, &method);
+  assert(read);
+  return method;
+}
+
 }  // namespace
 
 const std::vector<MethodEntry>& method_entries() {
@@ -78,6 +102,7 @@ const std::vector<MethodEntry>& method_entries() {
                   {6, "point { from: 380 to: 780 step: 10 }"},
                   {6, "point { from: 380 to: 780 step: 5 }"},
                   {6, "point { from: 360 to: 830 step: 1 }"}},
+       .compared = compared_points(),
        .fill = fill_point,
        .check = check_point,
        .text = point_text,
@@ -87,6 +112,7 @@ const std::vector<MethodEntry>& method_entries() {
                   {3, "linear { bases: 4 weighting: OBSERVER bounce: true }"},
                   {3, "linear { bases: 6 weighting: OBSERVER bounce: true }"},
                   {5, "linear { bases: 8 weighting: OBSERVER bounce: true }"}},
+       .compared = compared_linear(),
        .fill = fill_linear,
        .check = check_linear,
        .text = linear_text,
@@ -132,11 +158,23 @@ std::vector<v1::Method> candidates() {
     trials.insert(trials.end(), entry.trials.begin(), entry.trials.end());
   std::stable_sort(trials.begin(), trials.end(),
                    [](const Trial& a, const Trial& b) { return a.turn < b.turn; });
-  std::vector<v1::Method> methods(trials.size());
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    [[maybe_unused]] const bool read =
-        google::protobuf::TextFormat::ParseFromString(trials[i].method, &methods[i]);
-    assert(read);
+  std::vector<v1::Method> methods;
+  for (const Trial& trial : trials) methods.push_back(parsed(trial.method));
+  return methods;
+}
+
+v1::Method default_method(const MethodEntry& entry) {
+  v1::Method method = parsed(std::string(entry.word) + " {}");
+  if (entry.fill) entry.fill(method);
+  return method;
+}
+
+std::vector<v1::Method> compared_methods() {
+  std::vector<v1::Method> methods;
+  const auto& entries = method_entries();
+  for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
+    if (entry->compared.empty()) methods.push_back(default_method(*entry));
+    for (const std::string& text : entry->compared) methods.push_back(parsed(text));
   }
   return methods;
 }

@@ -20,7 +20,8 @@ struct Trial {
 struct MethodEntry {
   const char* word;  ///< Its member of v1::Method.method, and its name on the command line.
   std::vector<Trial> trials;
-  void (*fill)(v1::Method&) = nullptr;  ///< Fills in what was left out.
+  std::vector<std::string> compared = {};  ///< In text format; empty: itself, by its defaults.
+  void (*fill)(v1::Method&) = nullptr;     ///< Fills in what was left out.
   /// Says what is wrong with one whose defaults are filled in. `field` is the member's path.
   void (*check)(const v1::Method&, const std::string& field, Findings&) = nullptr;
   std::string (*text)(const v1::Method&) = nullptr;   ///< "linear 4 observer".
@@ -47,5 +48,11 @@ std::string planned_method_text(const v1::Plan& plan);
 /// mostly among the cheapest too, then the cheapest first as far as that can be told beforehand.
 /// What they cost in a scene is measured.
 std::vector<v1::Method> candidates();
+
+/// A method by its defaults.
+v1::Method default_method(const MethodEntry& entry);
+
+/// Every method over its parameters, for those who want to compare them; the naive rgb comes first.
+std::vector<v1::Method> compared_methods();
 
 }  // namespace metamer

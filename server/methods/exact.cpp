@@ -221,6 +221,10 @@ std::uint64_t direct_signatures(const RenderScene& scene) {
   return std::uint64_t{FactorRows(scene).size()} * scene.lights.size();
 }
 
+void plan_exact(const RenderScene& scene, const v1::Settings&, v1::Plan& plan) {
+  plan.set_signatures(direct_signatures(scene));
+}
+
 std::unique_ptr<Method> make_exact(const v1::Plan& plan, const RenderScene& scene) {
   const Wavelengths wavelengths = observer_wavelengths();
   const ObserverWeights observer = observer_weights(to_observer(plan.observer()), wavelengths);

@@ -14,6 +14,9 @@ namespace metamer {
 /// beyond that they are integrated each time, which is slow and gives the same bits.
 std::unique_ptr<Method> make_exact(const v1::Plan& plan, const RenderScene& scene);
 
+/// Says how many signatures the scene has without mirrors.
+void plan_exact(const RenderScene& scene, const v1::Settings& settings, v1::Plan& plan);
+
 /// The signatures that paths without mirrors can have: lights × rows.
 std::uint64_t direct_signatures(const RenderScene& scene);
 

@@ -6,7 +6,7 @@
 
 #include "common/scene/settings.h"
 #include "server/methods/banded.h"
-#include "server/methods/exact.h"
+#include "server/methods/notices.h"
 #include "server/methods/scene_spectra.h"
 #include "server/methods/training_set.h"
 
@@ -181,6 +181,15 @@ std::vector<double> fitted_wavelengths(const RenderScene& scene, cie::Observer o
     nm.push_back(all[static_cast<std::size_t>(row)]);
   if (nm.empty()) nm.push_back(555);  // where nothing is seen, one value is as good as any
   return nm;
+}
+
+void plan_fitted(const RenderScene& scene, const v1::Settings& settings, v1::Plan& plan) {
+  const v1::Point& point = settings.method().point();
+  const auto nm = fitted_wavelengths(scene, to_observer(settings.observer()), point.fitted());
+  plan.mutable_wavelength()->Assign(nm.begin(), nm.end());
+  plan.set_from(nm.front());
+  plan.set_to(nm.back());
+  plan_found(nm.size(), point.fitted(), "settings.method.point.fitted", "need", "wavelength", plan);
 }
 
 std::unique_ptr<Method> make_fitted(const v1::Plan& plan, const RenderScene& scene) {

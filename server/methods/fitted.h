@@ -12,6 +12,9 @@ namespace metamer {
 std::vector<double> fitted_wavelengths(const RenderScene& scene, cie::Observer observer,
                                        std::size_t most);
 
+/// The wavelengths that were chosen are part of the plan.
+void plan_fitted(const RenderScene& scene, const v1::Settings& settings, v1::Plan& plan);
+
 /// Carries a value at each wavelength that the plan lists; at those above, where it lists none.
 /// Each light keeps its own X Y Z, so that neutral stays neutral; of many lights, as many of the
 /// first as are half the wavelengths.

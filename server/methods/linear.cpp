@@ -6,7 +6,7 @@
 #include "common/scene/settings.h"
 #include "common/transport/fold.h"
 #include "server/methods/banded.h"
-#include "server/methods/exact.h"
+#include "server/methods/notices.h"
 #include "server/methods/scene_spectra.h"
 
 namespace metamer {
@@ -124,6 +124,17 @@ LinearBasis scene_basis(const v1::Linear& method, cie::Observer choice, const Re
       inner[i] *= std::sqrt(squares);
     }
   return make_basis_of_products(gram, inner, method.bases());
+}
+
+void plan_linear(const RenderScene& scene, const v1::Settings& settings, v1::Plan& plan) {
+  const v1::Linear& linear = settings.method().linear();
+  const LinearBasis basis = scene_basis(linear, to_observer(settings.observer()), scene);
+  plan.set_condition(basis.condition);
+  plan.set_residual(basis.residual);
+  for (Eigen::Index i = 0; i < std::min<Eigen::Index>(16, basis.singular_values.size()); ++i)
+    plan.add_singular_value(basis.singular_values[i]);
+  plan_found(static_cast<std::size_t>(basis.functions.cols()), linear.bases(),
+             "settings.method.linear.bases", "span", "function", plan);
 }
 
 std::unique_ptr<Method> make_linear(const v1::Plan& plan, const RenderScene& scene) {

@@ -33,6 +33,23 @@ class Method {
   virtual DirectTables direct_tables() const = 0;
 };
 
+/// What comes to every method: scalars, and factors of each kind, for which FactorRows has rows.
+inline constexpr Features carried_features = Features::all().without({Feature::multi_pass});
+
+/// A method's arithmetic. What clients know of it too is its row in common/scene/methods.h.
+struct MethodArithmetic {
+  const char* word;  ///< Its member of v1::Method.method.
+  std::unique_ptr<Method> (*make)(const v1::Plan&, const RenderScene&);
+  /// Adds to a plan what the scene makes of it: bands where they are not three, what it found, and
+  /// notices. Null: nothing.
+  void (*plan)(const RenderScene&, const v1::Settings&, v1::Plan&) = nullptr;
+  Wavelengths (*wavelengths)(const v1::Method&) = nullptr;  ///< Null: every nm from 360 to 830.
+  Features features = carried_features;
+};
+
+/// Every method: a test holds it against the schema and against method_entries().
+const std::vector<MethodArithmetic>& method_arithmetic();
+
 std::unique_ptr<Method> make_method(const v1::Plan& plan, const RenderScene& scene);
 
 /// What a method has of what a scene may need; of none, what one that is chosen later has.
@@ -42,12 +59,8 @@ Features method_features(const v1::Method& method);
 /// for the scene, those at which it learns.
 Wavelengths method_wavelengths(const v1::Method& method);
 
-/// The values that its carrier holds, at the most.
-std::size_t method_bands(const v1::Method& method);
-
-/// Adds a notice for each light of which the observer sees nothing at these wavelengths: it has
-/// power somewhere, and the picture would be dark without a word.
-void notice_dark_lights(const RenderScene& scene, const v1::Settings& settings,
-                        const Wavelengths& wavelengths, v1::Plan& plan);
+/// Fills in what the settings' method needs for this scene: wavelengths, bands, and of a method
+/// that is made for the scene, what was found; with notices where that is less than was asked for.
+void plan_method(const RenderScene& scene, const v1::Settings& settings, v1::Plan& plan);
 
 }  // namespace metamer

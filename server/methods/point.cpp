@@ -3,11 +3,22 @@
 #include "common/color/xyz.h"
 #include "common/scene/settings.h"
 #include "server/methods/banded.h"
+#include "server/methods/fitted.h"
 
 namespace metamer {
 
+Wavelengths wavelengths_of_point(const v1::Method& method) {
+  return method.point().has_fitted() ? observer_wavelengths() : *point_wavelengths(method.point());
+}
+
+void plan_point(const RenderScene& scene, const v1::Settings& settings, v1::Plan& plan) {
+  if (settings.method().point().has_fitted()) return plan_fitted(scene, settings, plan);
+  plan.set_bands(static_cast<std::uint32_t>(wavelengths_of_point(settings.method()).size()));
+}
+
 std::unique_ptr<Method> make_point(const v1::Plan& plan, const RenderScene& scene) {
-  const Wavelengths wavelengths = method_wavelengths(plan.method());
+  if (plan.method().point().has_fitted()) return make_fitted(plan, scene);
+  const Wavelengths wavelengths = wavelengths_of_point(plan.method());
   const ObserverWeights observer = observer_weights(to_observer(plan.observer()), wavelengths);
   const std::size_t bands = wavelengths.size();
 

@@ -4,7 +4,13 @@
 
 namespace metamer {
 
-/// Point sampling (4.2): a value at each wavelength of the plan.
+/// Point sampling (4.2): a value at each wavelength of the plan, which is uniform, listed or
+/// fitted.
 std::unique_ptr<Method> make_point(const v1::Plan& plan, const RenderScene& scene);
+
+/// How many wavelengths there are, and of a fitted one, which.
+void plan_point(const RenderScene& scene, const v1::Settings& settings, v1::Plan& plan);
+
+Wavelengths wavelengths_of_point(const v1::Method& method);
 
 }  // namespace metamer

@@ -106,9 +106,10 @@ std::unique_ptr<Method> make_prefilter(const v1::Plan& plan, const RenderScene& 
       std::move(rows), BandedMethod::Tables{std::move(lights), std::move(values), std::move(xyz)});
 }
 
-void notice_prefilter(const RenderScene& scene, cie::Observer observer, v1::Plan& plan) {
+void plan_prefilter(const RenderScene& scene, const v1::Settings& settings, v1::Plan& plan) {
   const Wavelengths wavelengths = observer_wavelengths();
-  const Filter filter = make_filter(scene, observer_weights(observer, wavelengths), wavelengths);
+  const ObserverWeights observer = observer_weights(to_observer(settings.observer()), wavelengths);
+  const Filter filter = make_filter(scene, observer, wavelengths);
   const auto say = [&](const std::string& message) {
     v1::Notice* notice = plan.add_notice();
     notice->set_field("settings.method.prefilter");

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "common/spectral/cie.h"
 #include "server/methods/method.h"
 
 /// Colour pre-filtering, 3.3.2 and 4.3 (G. Ward and E. Eydelberg-Vileshin, Eurographics Workshop on
@@ -15,6 +14,6 @@ std::unique_ptr<Method> make_prefilter(const v1::Plan& plan, const RenderScene& 
 
 /// Says where the dominant light is not the scene's first, and where it has no colour that three
 /// linear sRGB values can stand for: then X, Y and Z are filtered in their place.
-void notice_prefilter(const RenderScene& scene, cie::Observer observer, v1::Plan& plan);
+void plan_prefilter(const RenderScene& scene, const v1::Settings& settings, v1::Plan& plan);
 
 }  // namespace metamer

@@ -6,10 +6,10 @@
 #include "common/color/xyz.h"
 #include "common/scene/settings.h"
 #include "server/methods/method.h"
+#include "server/methods/notices.h"
 #include "server/plan/features.h"
 #include "server/plan/missed_light.h"
 #include "server/plan/needs.h"
-#include "server/plan/plan_method.h"
 
 namespace metamer {
 namespace {

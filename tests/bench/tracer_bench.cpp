@@ -3,11 +3,14 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <string_view>
 #include <vector>
 
+#include "common/scene/methods.h"
 #include "server/cpu/tracer.h"
 #include "tests/bench/bench_scene.h"
 #include "tests/bench/raw_rays.h"
@@ -81,6 +84,24 @@ void raw_embree(benchmark::State& state, Bench& bench) {
       benchmark::Counter::kIsRate);
 }
 
+/// What is measured, by name: "point/7", "linear/4", "exact".
+std::vector<std::pair<std::string, v1::Method>> cases() {
+  std::vector<std::pair<std::string, v1::Method>> all;
+  for (unsigned samples : {7u, 16u, 61u, 301u})
+    all.emplace_back("point/" + std::to_string(samples), bench::point_method(samples));
+  v1::Method fitted;
+  fitted.mutable_point()->set_fitted(8);
+  all.emplace_back("fitted/8", fitted);
+  for (const MethodEntry& entry : method_entries()) {
+    if (std::string_view(entry.word) == "point") continue;
+    const v1::Method method = default_method(entry);
+    std::string name = method_text(method);
+    std::replace(name.begin(), name.end(), ' ', '/');
+    all.emplace_back(name, method);
+  }
+  return all;
+}
+
 /// The console's usual report, and the medians for the table.
 class Report : public benchmark::ConsoleReporter {
  public:
@@ -99,9 +120,8 @@ class Report : public benchmark::ConsoleReporter {
         "\ntime, relative (median CPU times of this run; the source's Table 4.2-1 has 1.13, 1.15, "
         "1.30, 1.60 for point, its Table 4.4-3 about 1.15 for four basis functions)\n");
     for (const char* group : {"direct", "direct_1spp", "mirrors"})
-      for (const char* method : {"point/7", "point/16", "point/61", "point/301", "fitted/8",
-                                 "exact", "linear/4", "prefilter"})
-        ratio(std::string(group) + "/" + method, std::string(group) + "/rgb");
+      for (const auto& [method, choice] : cases())
+        if (method != "rgb") ratio(std::string(group) + "/" + method, std::string(group) + "/rgb");
     std::printf("\nshare of Embree's own rate for the same rays\n");
     std::printf("%-51s %6.1f %%\n", "direct/rgb",
                 100 * medians_.at("direct/embree") / medians_.at("direct/rgb"));
@@ -119,18 +139,7 @@ void add(const std::string& group, Bench& (*bench)()) {
       render(state, bench(), method);
     })->Unit(benchmark::kMillisecond);
   };
-  add_case("rgb", bench::rgb_method());
-  for (unsigned samples : {7u, 16u, 61u, 301u})
-    add_case("point/" + std::to_string(samples), bench::point_method(samples));
-  v1::Method exact, linear, fitted, prefilter;
-  exact.mutable_exact();
-  prefilter.mutable_prefilter();
-  fitted.mutable_point()->set_fitted(8);
-  linear.mutable_linear()->set_bases(4);
-  add_case("exact", exact);
-  add_case("linear/4", linear);
-  add_case("fitted/8", fitted);
-  add_case("prefilter", prefilter);
+  for (const auto& [name, method] : cases()) add_case(name, method);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "tests/server/methods/methods.h"
 
+#include "common/scene/methods.h"
+
 namespace metamer::test {
 
 v1::Method uniform(double from, double to, double step) {
@@ -49,15 +51,11 @@ v1::Method listed(const std::vector<double>& nm) {
 }
 
 std::vector<v1::Method> all_methods() {
-  std::vector<v1::Method> all{listed({555}),
-                              listed({450, 600}),
-                              listed({450, 550, 620}),
-                              uniform(400, 700, 5),
-                              uniform(360, 830, 1),
-                              uniform(400, 700, 0.075),  // 4001 samples
-                              prefilter(),
-                              rgb(),
-                              exact()};
+  std::vector<v1::Method> all{listed({555}),           listed({450, 600}),
+                              listed({450, 550, 620}), uniform(400, 700, 5),
+                              uniform(360, 830, 1),    uniform(400, 700, 0.075)};  // 4001 samples
+  for (const MethodEntry& entry : method_entries())  // those without parameters
+    if (!entry.fill) all.push_back(default_method(entry));
   for (const std::uint32_t count : {1u, 2u, 3u, 8u, 64u}) all.push_back(fitted(count));
   for (const std::uint32_t bases : {1u, 3u, 4u, 16u})
     for (const auto weighting : {v1::Linear::NONE, v1::Linear::OBSERVER})

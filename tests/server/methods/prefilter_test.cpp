@@ -66,7 +66,7 @@ TEST(Prefilter, SaysWhichLightDominatesWhereItIsNotTheFirst) {
   const RenderScene scene =
       scene_of(light("ir", "samples { wavelength: [850, 900] value: [1, 1] }", 1) +
                light("lamp", "samples { wavelength: [585, 589, 593] value: [0, 1, 0] }", 1));
-  notice_prefilter(scene, cie::Observer::cie_1931_2deg, plan);
+  plan_prefilter(scene, {}, plan);
   ASSERT_EQ(plan.notice_size(), 2);
   EXPECT_EQ(plan.notice(0).message(),
             "light \"lamp\" is the dominant one: nothing is seen of those before it");
@@ -74,7 +74,7 @@ TEST(Prefilter, SaysWhichLightDominatesWhereItIsNotTheFirst) {
             "light \"lamp\" has too little red, green or blue to divide by: X, Y and Z are "
             "filtered instead");
   plan.clear_notice();
-  notice_prefilter(scene_of(light("a", "standard: 'A'", 1)), cie::Observer::cie_1931_2deg, plan);
+  plan_prefilter(scene_of(light("a", "standard: 'A'", 1)), {}, plan);
   EXPECT_EQ(plan.notice_size(), 0);
 }
 

@@ -8,6 +8,7 @@
 
 #include "common/models/registry.h"
 #include "common/scene/feature_sets.h"
+#include "common/scene/methods.h"
 #include "common/scene/settings.h"
 
 namespace metamer::cli {
@@ -158,9 +159,10 @@ std::vector<BenchCase> method_cases(bool multi_pass) {
     }
   }
   add(cases, "point fitted 8").mutable_point()->set_fitted(8);
-  add(cases, "prefilter").mutable_prefilter();
-  add(cases, "linear 4").mutable_linear()->set_bases(4);
-  add(cases, "exact").mutable_exact();
+  for (const MethodEntry& entry : method_entries()) {
+    const v1::Method method = default_method(entry);
+    if (!method.has_point() && !method.has_rgb()) add(cases, method_text(method)) = method;
+  }
   return cases;
 }
 

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 #include "client/cli/commands/tradeoff/tradeoff_texts.h"
 #include "client/cli/output/gnuplot.h"
@@ -21,17 +23,26 @@ constexpr double floor_of_errors = 1e-4;
 
 /// The cases that share a mark, and how it looks; Okabe's and Ito's colours.
 struct Family {
-  const char *method, *ending, *title, *color;
+  std::string method, ending, title, color;
   int mark;  ///< gnuplot's point type.
 };
-constexpr std::array families = {
-    Family{"rgb", "", "rgb", "#000000", 5},
-    Family{"prefilter", "", "prefilter", "#CC79A7", 13},
-    Family{"exact", "", "exact", "#D55E00", 11},
-    Family{"linear", "bases", "linear", "#0072B2", 6},
-    Family{"linear", "observer", "linear, weighted by the observer", "#56B4E9", 7},
-    Family{"point", "uniform", "point, uniform", "#009E73", 8},
-    Family{"point", "fitted", "point, fitted", "#E69F00", 9}};
+
+std::vector<Family> families_of(const Tradeoff& tradeoff) {
+  std::vector<Family> families = {
+      {"rgb", "", "rgb", "#000000", 5},
+      {"prefilter", "", "prefilter", "#CC79A7", 13},
+      {"exact", "", "exact", "#D55E00", 11},
+      {"linear", "bases", "linear", "#0072B2", 6},
+      {"linear", "observer", "linear, weighted by the observer", "#56B4E9", 7},
+      {"point", "uniform", "point, uniform", "#009E73", 8},
+      {"point", "fitted", "point, fitted", "#E69F00", 9}};
+  int mark = 0;  // of those that have no look of their own
+  for (const TradeoffRow& row : tradeoff.rows)
+    if (std::none_of(families.begin(), families.end(),
+                     [&](const Family& family) { return family.method == row.what.method; }))
+      families.push_back({row.what.method, "", row.what.method, "#F0E442", ++mark});
+  return families;
+}
 
 bool belongs(const TradeoffRow& row, const Family& family) {
   return row.failure.empty() && row.what.method == family.method &&
@@ -125,6 +136,7 @@ std::string tradeoff_script(const Tradeoff& tradeoff) {
   plots = "plot $front using 1:2 with lines lw 3 lc rgb '#BBBBBB' title 'Pareto front'";
 
   // The marks.
+  const std::vector<Family> families = families_of(tradeoff);
   for (std::size_t f = 0; f < families.size(); ++f) {
     std::string lines;
     for (const TradeoffRow& row : tradeoff.rows)
@@ -132,7 +144,7 @@ std::string tradeoff_script(const Tradeoff& tradeoff) {
     if (lines.empty()) continue;
     const std::string block = "$d" + std::to_string(f);
     data += block + " << EOD\n" + lines + "EOD\n";
-    const std::string color = std::string(" lc rgb '") + families[f].color + "'";
+    const std::string color = " lc rgb '" + families[f].color + "'";
     plots += ", " + block + " using 1:2:3:4 with yerrorbars pt -1 lw 0.7" + color + " notitle, " +
              block + " using 1:2 with points ps 1.5 pt " + std::to_string(families[f].mark) +
              color + " title " + gnuplot_quote(families[f].title);
