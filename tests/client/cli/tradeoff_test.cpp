@@ -3,23 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/client/tools/tradeoff/tradeoff_row.h"
+
 namespace metamer::cli {
 namespace {
 
+using client::row;
 using client::Tradeoff;
-using client::TradeoffRow;
-
-TradeoffRow row(const std::string& name, double seconds, double error) {
-  TradeoffRow one;
-  one.what.method = name;
-  one.what.stem = name;
-  one.prepare = seconds / 4;
-  one.render = seconds - seconds / 4;
-  one.error.percentile_95 = error;
-  one.error.maximum = 2 * error;
-  one.error.count = 1;
-  return one;
-}
 
 TEST(TradeoffTables, TellWhatFailedAndWhy) {
   Tradeoff tradeoff;
@@ -46,6 +36,14 @@ TEST(TradeoffScript, NamesTheFrontAndKeepsHostileNamesHarmless) {
   const std::string script = tradeoff_script(tradeoff);
   EXPECT_NE(script.find("set label 'exact' at 1,1e-04"), std::string::npos) << script;
   EXPECT_NE(script.find("'Cost and error of every method: it''s?`reboot`'"), std::string::npos);
+}
+
+TEST(TradeoffScript, DrawsAMethodThatHasNoLookOfItsOwn) {
+  Tradeoff tradeoff;
+  tradeoff.rows = {row("exact", 1, 0), row("one", 2, 0.5), row("other", 3, 0.25)};
+  const std::string script = tradeoff_script(tradeoff);
+  EXPECT_NE(script.find("pt 1 lc rgb '#F0E442' title 'one'"), std::string::npos) << script;
+  EXPECT_NE(script.find("pt 2 lc rgb '#F0E442' title 'other'"), std::string::npos) << script;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "server/gl/buffer.h"
 #include "server/gl/compute.h"
 #include "server/gl/model_source.h"
+#include "tests/server/gl/context_test.h"
 #include "tests/server/gl/pictures.h"
 #include "tests/server/methods/methods.h"
 
@@ -50,19 +51,7 @@ SceneOnDisk scene_under(const Entry& entry, v1::Shading shading) {
   return scene;
 }
 
-class GlLights : public ::testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    setenv("MESA_SHADER_CACHE_DISABLE", "1", 1);  // Or the cache lands in $HOME.
-    auto created = Context::create();
-    ASSERT_TRUE(created) << created.error().message << ": see deploy/dependencies";
-    context_ = std::make_unique<Context>(std::move(*created));
-  }
-  static void TearDownTestSuite() { context_.reset(); }
-
- private:
-  static inline std::unique_ptr<Context> context_;
-};
+class GlLights : public ContextTest {};
 
 TEST_F(GlLights, EveryOneShinesByBothBackendsInEveryShading) {
   ProgramCache cache;

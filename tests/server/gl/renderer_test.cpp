@@ -7,6 +7,7 @@
 #include <fstream>
 #include <map>
 
+#include "tests/server/gl/context_test.h"
 #include "tests/server/gl/pictures.h"
 #include "tests/server/methods/methods.h"
 
@@ -105,19 +106,7 @@ std::map<std::string, std::vector<double>> by_model(const Pictures& pictures,
   return result;
 }
 
-class GlRenderer : public ::testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    setenv("MESA_SHADER_CACHE_DISABLE", "1", 1);  // Or the cache lands in $HOME.
-    auto created = Context::create();
-    ASSERT_TRUE(created) << created.error().message << ": see deploy/dependencies";
-    context_ = std::make_unique<Context>(std::move(*created));
-  }
-  static void TearDownTestSuite() { context_.reset(); }
-
- private:
-  static inline std::unique_ptr<Context> context_;
-};
+class GlRenderer : public ContextTest {};
 
 TEST_F(GlRenderer, AgreesWithTheCpuForEveryModelShadingAndMethod) {
   Report report;

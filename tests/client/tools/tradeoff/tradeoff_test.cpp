@@ -6,21 +6,10 @@
 #include <set>
 
 #include "client/tools/tradeoff/tradeoff_run.h"
+#include "tests/client/tools/tradeoff/tradeoff_row.h"
 
 namespace metamer::client {
 namespace {
-
-TradeoffRow row(const std::string& name, double seconds, double error) {
-  TradeoffRow one;
-  one.what.method = name;
-  one.what.stem = name;
-  one.prepare = seconds / 4;
-  one.render = seconds - seconds / 4;
-  one.error.percentile_95 = error;
-  one.error.maximum = 2 * error;
-  one.error.count = 1;
-  return one;
-}
 
 std::string front_of(std::vector<TradeoffRow> rows) {
   mark_front(rows);
@@ -53,6 +42,9 @@ TEST(TradeoffCases, HaveNamesOfTheirOwn) {
   EXPECT_EQ(stems.size(), 29u);
   EXPECT_EQ(settings.size(), 29u);
   EXPECT_EQ(tradeoff_cases()[0].method, "rgb");
+  EXPECT_TRUE(stems.contains("linear-2-observer"));
+  EXPECT_TRUE(stems.contains("point-301"));
+  EXPECT_TRUE(stems.contains("point-fitted-16"));
 }
 
 TEST(TradeoffCsv, TellsWhatFailedAndWhy) {
