@@ -8,8 +8,8 @@
 #include "client/cli/follow.h"
 #include "client/cli/output/output.h"
 #include "client/cli/scene_input.h"
+#include "client/cli/send_scene.h"
 #include "client/cli/shared_options.h"
-#include "common/scene/feature_sets.h"
 
 namespace metamer::cli {
 namespace {
@@ -40,15 +40,8 @@ asio::awaitable<ExitCode> render_on(Session& session, Interrupts& interrupts,
                                     Report& report) {
   const auto executor = co_await asio::this_coro::executor;
   const bool keep_factors = wanted(options.output) == JobParts::picture_and_factors;
-  if (keep_factors && !has_feature(session.welcome().capabilities(),
-                                   scene.scene().settings().backend(), Feature::factors)) {
-    report.problem(factors_by_gl(), {});
-    co_return ExitCode::bad_input;
-  }
-  Submission submission = make_submission(scene.scene(), scene.assets(), scene.name(), false);
-  submission.request.set_keep_factors(keep_factors);
-  const Answer<std::uint64_t> job_id = co_await session.submit(submission);
-  if (!job_id) co_return report.session_error(job_id.error());
+  const auto job_id = co_await send_scene(session, scene, keep_factors, report);
+  if (!job_id) co_return job_id.error();
 
   interrupts.on_first([&session, executor, id = *job_id] {
     // A terminal shows the bar and ^C on this line.

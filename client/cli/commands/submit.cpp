@@ -2,8 +2,8 @@
 #include "client/cli/connection.h"
 #include "client/cli/output/output.h"
 #include "client/cli/scene_input.h"
+#include "client/cli/send_scene.h"
 #include "client/cli/shared_options.h"
-#include "common/scene/feature_sets.h"
 
 namespace metamer::cli {
 namespace {
@@ -17,15 +17,8 @@ struct SubmitOptions {
 
 boost::asio::awaitable<ExitCode> submit_to(Session& session, const CheckedScene& scene,
                                            bool keep_factors, Report& report) {
-  if (keep_factors && !has_feature(session.welcome().capabilities(),
-                                   scene.scene().settings().backend(), Feature::factors)) {
-    report.problem(factors_by_gl(), {});
-    co_return ExitCode::bad_input;
-  }
-  Submission submission = make_submission(scene.scene(), scene.assets(), scene.name(), false);
-  submission.request.set_keep_factors(keep_factors);
-  const Answer<std::uint64_t> job_id = co_await session.submit(submission);
-  if (!job_id) co_return report.session_error(job_id.error());
+  const auto job_id = co_await send_scene(session, scene, keep_factors, report);
+  if (!job_id) co_return job_id.error();
   report.document()["job_id"] = *job_id;
   report.line(std::to_string(*job_id));
   co_return ExitCode::done;

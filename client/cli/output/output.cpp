@@ -61,14 +61,6 @@ ExitCode check_output(const OutputOptions& options, Report& report) {
   return good ? ExitCode::done : ExitCode::bad_input;
 }
 
-Problem factors_by_gl() {
-  return {.field = {},
-          .file = {},
-          .message =
-              "--keep-factors and --exr spectral need what the cpu backend keeps of each "
-              "pixel: leave --backend gl out"};
-}
-
 JobParts wanted(const OutputOptions& options) {
   return options.factors || wants_spectra(options) ? JobParts::picture_and_factors
                                                    : JobParts::picture;

@@ -16,9 +16,6 @@ ExitCode check_output(const OutputOptions& options, Report& report);
 /// What of a job has to be asked for.
 JobParts wanted(const OutputOptions& options);
 
-/// Why a picture by the gl backend can be neither relit nor spectral.
-Problem factors_by_gl();
-
 /// Writes a finished job's picture into each of the files, with the plan, the timing, the scene's
 /// name and the version as metadata, and notes what a .png had to clip; and its factors.
 ExitCode write_output(const OutputOptions& options, JobRecord& job, const std::string& name,
