@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -25,12 +26,20 @@ struct FresnelPlace {
   float fraction;
 };
 
+namespace f32 {
+using std::floor, std::min, std::sqrt;
+/// The shared source as members, which may stand in a header.
+struct FresnelNodes {
+  using Real = float;
+#include "shaders/fresnel/nodes.glsl"
+};
+}  // namespace f32
+
 inline FresnelPlace fresnel_place(float cosine) {
   constexpr float last = fresnel_nodes - 1;
-  const float t = std::sqrt(cosine) * last;
-  const auto below = static_cast<std::uint32_t>(t < last - 1 ? t : last - 1);
-  const float at = static_cast<float>(below), step = 2 * at + 1;
-  return {below, (cosine * (last * last) - at * at) / step};
+  f32::FresnelNodes nodes;
+  const float below = nodes.node_below(cosine, last);
+  return {static_cast<std::uint32_t>(below), nodes.node_share(cosine, below, last)};
 }
 
 /// n and k at a method's wavelengths; k empty for a dielectric.

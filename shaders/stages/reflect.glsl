@@ -7,10 +7,10 @@ uniform float node_last;  // fresnel_nodes − 1
 vec3 weights = vec3(0.0);
 void take_row(uint light, uint row, float weight);
 
-// An exact Fresnel term lies on the line between two nodes (common/scene/fresnel_table.h).
+// An exact Fresnel term lies on the line between two nodes.
 void add_fresnel(uint light, uint base, float u, float weight) {
-    float below = min(floor(sqrt(u) * node_last), node_last - 1.0);
-    float fraction = (u * (node_last * node_last) - below * below) / (2.0 * below + 1.0);
+    float below = node_below(u, node_last);
+    float fraction = node_share(u, below, node_last);
     uint row = word_of[base + material_first_node] + uint(below);
     take_row(light, row, weight * (1.0 - fraction));
     take_row(light, row + 1u, weight * fraction);
