@@ -11,21 +11,14 @@ Real erf(Real x) {
     return Real(1) - sum * exp(-(x * x));
 }
 
-// x^y for x ≥ 0, y > 0. A driver's own is 2^(y log₂ x) with a log₂ of 1e-7 or so, absolutely: next to x
-// = 1 the exponent 1e6 makes a tenth of that. Here log₂ x = e + log₂ m, m from √½ to √2, and log₂ m =
-// 2/ln 2 (s + s³/3 + …), s = (m−1)/(m+1), is right relatively.
-Real steady_pow(Real x, Real y) {
-    int e;
-    Real m = frexp(x, e);
-    bool low = m < Real(0.70710678118654752440);
-    m = low ? Real(2) * m : m;
-    e = low ? e - 1 : e;
-    Real s = (m - Real(1)) / (m + Real(1));
+// ln(1 + x), x from −½ to 0, by ln m = 2 (s + s³/3 + …), s = (m − 1)/(m + 1): to 2e-7 of itself, which a
+// driver's logarithm of 1 + x is not.
+Real log1p(Real x) {
+    Real s = x / (Real(2) + x);
     Real s2 = s * s;
-    Real series = Real(1) + s2 * (Real(1.0 / 3.0) +
-                                  s2 * (Real(0.2) + s2 * (Real(1.0 / 7.0) + s2 * Real(1.0 / 9.0))));
-    Real logarithm = Real(e) + Real(2.88539008177792681472) * s * series;
-    return x > Real(0) ? exp2(y * logarithm) : Real(0);
+    Real series = Real(1.0 / 7.0) + s2 * (Real(1.0 / 9.0) + s2 * (Real(1.0 / 11.0) + s2 * Real(1.0 / 13.0)));
+    series = Real(1) + s2 * (Real(1.0 / 3.0) + s2 * (Real(0.2) + s2 * series));
+    return Real(2) * s * series;
 }
 
 // S. L. Moshier, Cephes Mathematical Library, asinf.c: the arcsine of x from 0 to ½, to 3e-7 of itself.
@@ -43,12 +36,6 @@ Real steady_asin(Real x) {
     return low ? part : Real(1.57079632679489661923) - Real(2) * part;
 }
 
-Real steady_acos(Real x) {
-    bool low = x < Real(0.5);
-    Real part = arcsine_below_half(low ? x : sqrt(Real(0.5) * (Real(1) - x)));
-    return low ? Real(1.57079632679489661923) - part : Real(2) * part;
-}
-
 // xy + z rounded once: a driver may round the product too (llvmpipe does), and what the models use fma
 // for, the error of a product, is 0 then.
 Real fused(Real x, Real y, Real z) {
@@ -60,6 +47,4 @@ Real select(bool which, Real yes, Real no) { return which ? yes : no; }
 Vec3 select(bool which, Vec3 yes, Vec3 no) { return which ? yes : no; }
 
 #define asin steady_asin
-#define acos steady_acos
-#define pow steady_pow
 #define fma fused

@@ -19,7 +19,7 @@ struct Wide {
   double operator[](int) const { return value; }
 };
 constexpr int width = 1;
-using std::abs, std::acos, std::asin, std::erf, std::exp, std::fma, std::max, std::min, std::pow,
+using std::abs, std::asin, std::erf, std::exp, std::fma, std::log, std::log1p, std::max, std::min,
     std::sqrt;
 #include "common/models/shared_source.inc"
 }  // namespace
@@ -28,8 +28,9 @@ using std::abs, std::acos, std::asin, std::erf, std::exp, std::fma, std::max, st
 namespace {
 
 Angles<f64::Wide> widen(const Angles<double>& a) {
-  return {{a.n_dot_l}, {a.n_dot_v}, {a.n_dot_h}, {a.v_dot_h},
-          {a.r_dot_v}, {a.azimuth}, {a.tangent}, {a.solid_angle}};
+  return {{a.n_dot_l},     {a.n_dot_v},     {a.n_dot_h},     {a.v_dot_h},     {a.r_dot_v},
+          {a.n_l_versine}, {a.n_v_versine}, {a.n_h_versine}, {a.r_v_versine}, {a.azimuth},
+          {a.tangent},     {a.bitangent},   {a.solid_angle}};
 }
 
 }  // namespace
@@ -61,22 +62,37 @@ double index_from_reflectance(double f) { return f64::index_from_reflectance(f);
 Angles<double> angles_between(const Eigen::Vector3d& normal, const Eigen::Vector3d& tangent,
                               const Eigen::Vector3d& to_light, const Eigen::Vector3d& to_viewer,
                               double solid_angle) {
-  const auto cosine = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return std::clamp(a.dot(b), 0.0, 1.0);
+  // As shaders/surface/angles.glsl has it.
+  const auto cosine = [](double value) { return std::clamp(value, 0.0, 1.0); };
+  const auto versine = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return std::min((a - b).squaredNorm() / 2, 1.0);
   };
-  const Eigen::Vector3d half = (to_light + to_viewer).normalized();
+  const Eigen::Vector3d apart = to_light - to_viewer;
+  const double longer = apart.dot(to_light + to_viewer) / 4;
+  const Eigen::Vector3d sum = to_light + to_viewer - longer * apart;
+  const Eigen::Vector3d projected = sum - normal.dot(sum) * normal;
+  const double size = sum.norm(), h = size > 0 ? normal.dot(sum) / size : 0;
+  const double lifted = normal.dot(apart) - longer * normal.dot(sum);
+  const double r_v_versine = std::min((projected.squaredNorm() + lifted * lifted) / 2, 1.0);
   const double j = normal.dot(to_light), k = normal.dot(to_viewer);
   const Eigen::Vector3d light = to_light - j * normal, viewer = to_viewer - k * normal;
   const double across = light.norm() * viewer.norm();
-  const double t = half.dot(tangent), b = half.dot(normal.cross(tangent));
-  return {.n_dot_l = cosine(normal, to_light),
-          .n_dot_v = cosine(normal, to_viewer),
-          .n_dot_h = cosine(normal, half),
-          .v_dot_h = cosine(to_viewer, half),
-          .r_dot_v = std::clamp(2 * j * k - to_light.dot(to_viewer), 0.0, 1.0),
-          .azimuth = across > 0 ? std::clamp(light.dot(viewer) / across, -1.0, 1.0) : 0,
-          .tangent = t * t + b * b > 0 ? t * t / (t * t + b * b) : 1,
-          .solid_angle = solid_angle};
+  const double t = projected.dot(tangent), b = projected.dot(normal.cross(tangent));
+  const double whole = t * t + b * b;
+  return {
+      .n_dot_l = cosine(j),
+      .n_dot_v = cosine(k),
+      .n_dot_h = cosine(h),
+      .v_dot_h = cosine(size / 2),
+      .r_dot_v = 1 - r_v_versine,
+      .n_l_versine = versine(normal, to_light),
+      .n_v_versine = versine(normal, to_viewer),
+      .n_h_versine = h > 0 ? std::min(projected.squaredNorm() / (size * size) / (1 + h), 1.0) : 1,
+      .r_v_versine = r_v_versine,
+      .azimuth = across > 0 ? std::clamp(light.dot(viewer) / across, -1.0, 1.0) : 0,
+      .tangent = whole > 0 ? t * t / whole : 1,
+      .bitangent = whole > 0 ? b * b / whole : 0,
+      .solid_angle = solid_angle};
 }
 
 Reflection<double> default_reflection(Model model) {

@@ -24,7 +24,8 @@ double dielectric_fresnel(double u, double n);           ///< E[2.2-9]
 double conductor_fresnel(double u, double n, double k);  ///< E[2.2-8]
 double index_from_reflectance(double f);                 ///< E[2.2-11], f below 1
 
-/// The angles of unit vectors: normal, tangent (orthogonal to it), to the light, to the viewer.
+/// The angles of unit vectors, as shaders/surface/angles.glsl has them: normal, tangent (orthogonal
+/// to it), to the light, to the viewer.
 Angles<double> angles_between(const Eigen::Vector3d& normal, const Eigen::Vector3d& tangent,
                               const Eigen::Vector3d& to_light, const Eigen::Vector3d& to_viewer,
                               double solid_angle = 3.14159265358979323846);

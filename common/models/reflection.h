@@ -11,7 +11,9 @@ namespace metamer::models {
 /// See shaders/models/lobes.glsl, which has the same members in the same order.
 template <class Number>
 struct Angles {
-  Number n_dot_l, n_dot_v, n_dot_h, v_dot_h, r_dot_v, azimuth, tangent, solid_angle;
+  Number n_dot_l, n_dot_v, n_dot_h, v_dot_h, r_dot_v;
+  Number n_l_versine, n_v_versine, n_h_versine, r_v_versine;
+  Number azimuth, tangent, bitangent, solid_angle;
 };
 
 /// See shaders/models/lobes.glsl.

@@ -7,9 +7,9 @@
 // call. Their error is within a few units in the last place (tests/extremes).
 #if defined(__x86_64__) && defined(__AVX2__)
 extern "C" {
-__attribute__((simd("notinbranch"))) float powf(float, float) noexcept;
 __attribute__((simd("notinbranch"))) float expf(float) noexcept;
-__attribute__((simd("notinbranch"))) float acosf(float) noexcept;
+__attribute__((simd("notinbranch"))) float logf(float) noexcept;
+__attribute__((simd("notinbranch"))) float log1pf(float) noexcept;
 __attribute__((simd("notinbranch"))) float asinf(float) noexcept;
 __attribute__((simd("notinbranch"))) float erff(float) noexcept;
 }
@@ -24,9 +24,9 @@ namespace {
 using Real = float;
 using Wide = Float8;
 constexpr int width = lane_count;
-Real pow(Real x, Real y) { return ::powf(x, y); }
 Real exp(Real x) { return ::expf(x); }
-Real acos(Real x) { return ::acosf(x); }
+Real log(Real x) { return ::logf(x); }
+Real log1p(Real x) { return ::log1pf(x); }
 Real asin(Real x) { return ::asinf(x); }
 Real erf(Real x) { return ::erff(x); }
 Real sqrt(Real x) { return __builtin_sqrtf(x); }

@@ -8,9 +8,9 @@
 // the horizon is that of its own approximation E[2.2-20]. Evaluated as g′/(g′ + e^−q), g′ = g e^−q,
 // and divided by x: no overflow as x → 1, no 0/0 as x → 0.
 
-// G(x)/x; at x = 0 it is √(π/2)/σ.
-Real smith_over_cosine(Real x, Real roughness) {
-    Real sine = sqrt((Real(1) - x) * (Real(1) + x));
+// G(x)/x, v = 1 − x; at x = 0 it is √(π/2)/σ.
+Real smith_over_cosine(Real x, Real v, Real roughness) {
+    Real sine = sqrt(v * (Real(1) + x));
     Real inverse = roughness * Real(1.41421356237309504880) * sine;  // √2 σ sin θ = x/√q
     Real root = x / max(inverse, Real(1e-30));
     Real rising = Real(1.77245385090551602730) * (Real(1) + erf(root));
@@ -18,6 +18,6 @@ Real smith_over_cosine(Real x, Real roughness) {
 }
 
 Real smith_attenuation(Angles angles, Real roughness) {
-    return angles.n_dot_l * smith_over_cosine(angles.n_dot_l, roughness) *
-           smith_over_cosine(angles.n_dot_v, roughness);
+    return angles.n_dot_l * smith_over_cosine(angles.n_dot_l, angles.n_l_versine, roughness) *
+           smith_over_cosine(angles.n_dot_v, angles.n_v_versine, roughness);
 }

@@ -12,8 +12,8 @@ Real oren_nayar_diffuse(Angles angles, OrenNayarDiffuse m) {
     Real variance = m.roughness * m.roughness;
     Real a = Real(1) - Real(0.5) * variance / (variance + Real(0.33));
     Real b = Real(0.45) * variance / (variance + Real(0.09));
-    Real sine_l = sqrt((Real(1) - j) * (Real(1) + j));
-    Real sine_v = sqrt((Real(1) - k) * (Real(1) + k));
+    Real sine_l = sqrt(angles.n_l_versine * (Real(1) + j));
+    Real sine_v = sqrt(angles.n_v_versine * (Real(1) + k));
     Real quotient = j < k ? j / k : Real(1);
     Real rough = b * max(Real(0), angles.azimuth) * sine_l * sine_v * quotient;
     return j > Real(0) ? a * j + rough : Real(0);

@@ -4,7 +4,8 @@
 //
 // The highlight has no factor N·L, so it does not fade towards the terminator: it ends there.
 Lobes blinn_phong(Angles angles, Terms terms, BlinnPhong m) {
-    Real highlight = m.specularness * pow(angles.n_dot_h, m.shininess);
+    Real highlight =
+        m.specularness * cosine_power(angles.n_dot_h, angles.n_h_versine, m.shininess);
     Lobes lobes;
     lobes.diffuse = m.diffuseness * terms.diffuse;
     lobes.specular = angles.n_dot_l > Real(0) ? highlight : Real(0);

@@ -4,7 +4,8 @@
 //
 // Blinn–Phong whose highlight takes its colour from the Fresnel term.
 Lobes hall_greenberg(Angles angles, Terms terms, HallGreenberg m) {
-    Real highlight = m.specularness * pow(angles.n_dot_h, m.shininess);
+    Real highlight =
+        m.specularness * cosine_power(angles.n_dot_h, angles.n_h_versine, m.shininess);
     Lobes lobes;
     lobes.diffuse = m.diffuseness * terms.diffuse;
     lobes.specular = Real(0);

@@ -7,7 +7,8 @@
 // angle", is the material's Fresnel term at N·L; without one it is C_S, 1 when left out.
 // Not reciprocal: W sees the light's angle alone. The highlight ends at the terminator.
 Lobes phong(Angles angles, Terms terms, Phong m) {
-    Real highlight = m.specularness * pow(angles.r_dot_v, m.shininess);
+    Real highlight =
+        m.specularness * cosine_power(angles.r_dot_v, angles.r_v_versine, m.shininess);
     Lobes lobes;
     lobes.diffuse = m.diffuseness * ((Real(1) - m.ambient) * terms.diffuse + m.ambient);
     lobes.specular = Real(0);

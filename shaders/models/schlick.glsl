@@ -5,7 +5,7 @@
 // The denominator as h + p (1 − h), which does not cancel. At p = 1 the highlight is h itself.
 Lobes schlick(Angles angles, Terms terms, Schlick m) {
     Real h = angles.n_dot_h;
-    Real highlight = m.specularness * (h / (h + m.falloff * (Real(1) - h)));
+    Real highlight = m.specularness * (h / (h + m.falloff * angles.n_h_versine));
     Lobes lobes;
     lobes.diffuse = m.diffuseness * terms.diffuse;
     lobes.specular = angles.n_dot_l > Real(0) ? highlight : Real(0);

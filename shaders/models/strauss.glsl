@@ -6,7 +6,7 @@
 //     G(x) = [1/(1−k_g)² − 1/(x−k_g)²] / [1/(1−k_g)² − 1/k_g²],   x = θ/(π/2), of L; x′ of V
 //
 // E[2.2-27] and E[2.2-28] are garbled in the source; these follow its errata. As written F and G
-// cancel; with y = 1 − x, from asin, they factor into
+// cancel; with y = 1 − x they factor into
 //     rise(x) = x (2k − x)(1−k)² / ((2k − 1)(y + k−1)²),
 //     fall(y) = y (y + 2(k−1)) k² / ((2k − 1)(y + k−1)²),
 // and F = rise, 1 − F = fall with k_f, G = fall with k_g. The exponent has no finite value at o = 1.
@@ -22,17 +22,25 @@ Real strauss_fall(Real y, Real k) {
     return (y / away) * ((y + Real(2) * (k - Real(1))) / away) * (k * k / (Real(2) * k - Real(1)));
 }
 
-Lobes strauss(Angles angles, Terms terms, Strauss m) {
+// The angle above the horizon whose sine is `sine`, in right angles; v = 1 − sine.
+Real strauss_height(Real sine, Real v) {
     Real quarters = Real(0.636619772367581343076);  // per radian: 2/π
-    Real x = quarters * acos(angles.n_dot_l);
-    Real y = quarters * asin(angles.n_dot_l);
-    Real y_v = quarters * asin(angles.n_dot_v);
+    Real above = quarters * asin(sine);
+    Real below = Real(1) - Real(2) * quarters * asin(sqrt(Real(0.5) * v));
+    return v < Real(0.3) ? below : above;
+}
+
+Lobes strauss(Angles angles, Terms terms, Strauss m) {
+    Real x = Real(2) * Real(0.636619772367581343076) * asin(sqrt(Real(0.5) * angles.n_l_versine));
+    Real y = strauss_height(angles.n_dot_l, angles.n_l_versine);
+    Real y_v = strauss_height(angles.n_dot_v, angles.n_v_versine);
     Real fresnel = strauss_rise(x, y, m.k_f);
     Real shown = strauss_fall(y, m.k_g) * strauss_fall(y_v, m.k_g);
     Real o = m.smoothness;
     Real cube = o * o * o;
     Real s = min(Real(1), cube + (cube + m.k_s) * (fresnel * shown));
-    Real highlight = s * pow(angles.r_dot_v, Real(3) / (Real(1) - o));
+    Real highlight =
+        s * cosine_power(angles.r_dot_v, angles.r_v_versine, Real(3) / (Real(1) - o));
     highlight = angles.n_dot_l > Real(0) ? highlight : Real(0);
     Real rough = (Real(1) - o) * (Real(1) + o + o * o);                       // 1 − o³
     Real paint = (Real(1) - o) + o * (Real(1) - m.metalness);                // 1 − po

@@ -8,8 +8,9 @@
 Lobes ward_phong(Angles angles, Terms terms, WardPhong m) {
     Real a = m.shininess_u;
     Real b = m.shininess_v;
-    Real exponent = a * (b / (a * (Real(1) - angles.tangent) + b * angles.tangent));
-    Real highlight = m.specularness * pow(angles.n_dot_h, exponent);
+    Real exponent = a * (b / (a * angles.bitangent + b * angles.tangent));
+    Real highlight =
+        m.specularness * cosine_power(angles.n_dot_h, angles.n_h_versine, exponent);
     Lobes lobes;
     lobes.diffuse = m.diffuseness * terms.diffuse;
     lobes.specular = angles.n_dot_l > Real(0) ? highlight : Real(0);

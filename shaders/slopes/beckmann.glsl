@@ -9,5 +9,5 @@ Real beckmann_slope(Angles angles, BeckmannSlope m) {
     Real h = angles.n_dot_h;
     Real steep = min(Real(1) / (h * h), Real(1e10));
     Real peak = Real(1) / (m.roughness * m.roughness);
-    return peak * (steep * steep) * exp(-((Real(1) - h) * (Real(1) + h)) * steep * peak);
+    return peak * (steep * steep) * exp(-(angles.n_h_versine * (Real(1) + h)) * steep * peak);
 }

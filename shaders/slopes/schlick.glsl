@@ -8,7 +8,7 @@ Real schlick_slope(Angles angles, SchlickSlope m) {
     Real h = angles.n_dot_h;
     Real squared = h * h;
     Real below = m.roughness * (squared * squared) +
-                 (Real(1) - h) * (Real(1) + h) * (Real(1) + squared) / (Real(2) * m.roughness);
+                 angles.n_h_versine * (Real(1) + h) * (Real(1) + squared) / (Real(2) * m.roughness);
     Real root = h / below;
     return root * root;
 }

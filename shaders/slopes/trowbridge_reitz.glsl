@@ -7,6 +7,6 @@
 Real trowbridge_reitz_slope(Angles angles, TrowbridgeReitzSlope m) {
     Real h = angles.n_dot_h;
     Real variance = m.roughness * m.roughness;
-    Real root = variance / (variance * (h * h) + (Real(1) - h) * (Real(1) + h));
+    Real root = variance / (variance * (h * h) + angles.n_h_versine * (Real(1) + h));
     return root * root;
 }

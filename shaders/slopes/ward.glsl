@@ -8,7 +8,7 @@ Real ward_slope(Angles angles, WardSlope m) {
     Real h = angles.n_dot_h;
     Real steep = min(Real(1) / (h * h), Real(1e10));
     Real along = angles.tangent / (m.roughness_u * m.roughness_u);
-    Real across = (Real(1) - angles.tangent) / (m.roughness_v * m.roughness_v);
-    Real exponent = -((Real(1) - h) * (Real(1) + h)) * steep * (along + across);
+    Real across = angles.bitangent / (m.roughness_v * m.roughness_v);
+    Real exponent = -(angles.n_h_versine * (Real(1) + h)) * steep * (along + across);
     return (steep * steep) * exp(exponent) / (m.roughness_u * m.roughness_v);
 }

@@ -8,7 +8,9 @@
 namespace metamer::extremes {
 
 /// The files of the table.
-inline constexpr const char* kinds[] = {"models", "slopes", "attenuations", "diffuse", "fresnel"};
+inline constexpr const char* files[] = {
+    "models",         "slopes",         "attenuations",         "diffuse",        "fresnel",
+    "vectors/models", "vectors/slopes", "vectors/attenuations", "vectors/diffuse"};
 
 enum class Build { f64, f32, glsl };
 
@@ -17,7 +19,8 @@ struct Bound {
   double relative, of_peak;  ///< An error is within one of them.
   double smallest, largest;  ///< The normal numbers of its type.
 };
-Bound bound(Build build);
+/// Of rows from cosines, or from vectors: their cosines are rounded before a model sees them.
+Bound bound(Build build, bool from_vectors);
 
 /// What the build makes of each row: as many values as the row has, or none where the row's inputs
 /// don't fit the build's type. For Build::glsl see gl_build.h.
@@ -26,8 +29,9 @@ Values evaluate_f64(const std::vector<Row>& rows);
 Values evaluate_f32(const std::vector<Row>& rows);
 
 struct Error {
-  double size =
-      0;  ///< Of f64 relative; of f32 relative or of the peak, the smaller; of GLSL of the peak.
+  /// Of f64 and from vectors relative; of f32 relative or of the peak, the smaller; of GLSL of the
+  /// peak.
+  double size = 0;
   bool within = true;  ///< The bound.
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 
 #include "server/gl/model_source.h"
 
@@ -10,10 +11,10 @@ namespace {
 
 using models::Entry, models::Kind;
 
-// A row in the shader's input: the angles (or u), its parameters, and a number and the parameters
-// of each of its parts. Its output: five lobes, or one value.
+// A row in the shader's input: the angles, the vectors or u, its parameters, and a number and the
+// parameters of each of its parts. Its output: five lobes, or one value.
 constexpr std::size_t parameter_count = models::max_parameters + 2;
-constexpr std::size_t parameters_at = 8, parts_at = parameters_at + parameter_count;
+constexpr std::size_t parameters_at = 13, parts_at = parameters_at + parameter_count;
 constexpr std::size_t part_size = 1 + parameter_count, stride = parts_at + 3 * part_size;
 constexpr std::size_t lobe_count = 5;
 constexpr std::size_t group_size = 64;
@@ -56,11 +57,22 @@ Kind kind_of(const Row& row) {
   return row.kind == "diffuse" ? Kind::diffuse : Kind::attenuation;
 }
 
+/// The angles as they stand in the input, or as the shaders make them of vectors.
+std::string angles_text(bool from_vectors) {
+  if (!from_vectors) {
+    std::string text = "Angles(";
+    for (std::size_t i = 0; i < parameters_at; ++i) text += (i ? ", " : "") + from_input(i);
+    return text + ")";
+  }
+  std::string text = "angles_of(";
+  for (std::size_t i = 0; i < 12; i += 3)
+    text += "vec3(" + from_input(i) + ", " + from_input(i + 1) + ", " + from_input(i + 2) + "), ";
+  return text + from_input(12) + ", true, true)";
+}
+
 std::string body(const Row& row) {
   if (row.kind == "fresnel") return "  output_of[to] = " + fresnel_call(row.form) + ";\n";
-  std::string text = "  Angles a = Angles(";
-  for (std::size_t i = 0; i < parameters_at; ++i) text += (i ? ", " : "") + from_input(i);
-  text += ");\n";
+  std::string text = "  Angles a = " + angles_text(row.from_vectors) + ";\n";
   const auto index = static_cast<std::size_t>(index_of(kind_of(row), row.form));
   const Entry& entry =
       models::registry(kind_of(row))[index - (kind_of(row) == Kind::diffuse ? 1 : 0)];
@@ -78,6 +90,7 @@ std::string body(const Row& row) {
 
 std::string source(const Row& row) {
   return gl::model_source([](const Entry&) { return true; }) +
+         std::string(gl::shader_text("surface/angles.glsl")) +
          "layout(local_size_x = " + std::to_string(group_size) +
          ") in;\n"
          "layout(std430, binding = 0) readonly buffer Inputs { float input_of[]; };\n"
@@ -90,11 +103,19 @@ std::string source(const Row& row) {
          std::to_string(lobe_count) + "u;\n" + body(row) + "}\n";
 }
 
+/// In the order of struct Angles.
+std::vector<double> all_of(const models::Angles<double>& angles) {
+  static_assert(sizeof angles == parameters_at * sizeof(double));
+  std::vector<double> all(parameters_at);
+  std::memcpy(all.data(), &angles, sizeof angles);
+  return all;
+}
+
 void fill(float* to, const Row& row) {
   const auto copy = [](const std::vector<double>& from, float* where) {
     std::transform(from.begin(), from.end(), where, [](double x) { return static_cast<float>(x); });
   };
-  copy(row.inputs, to);
+  copy(row.kind == "fresnel" || row.from_vectors ? row.inputs : all_of(angles(row)), to);
   copy(row.parameters, to + parameters_at);
   to += parts_at;
   const auto add_part = [&](Kind kind, const std::string& text) {
@@ -118,7 +139,7 @@ Result<GlBuild> GlBuild::create() {
 }
 
 Result<const gl::Compute*> GlBuild::program(const Row& row) {
-  const std::string name = row.kind + "/" + row.form;
+  const std::string name = row.kind + "/" + row.form + (row.from_vectors ? " of vectors" : "");
   auto found = programs_.find(name);
   if (found == programs_.end()) {
     auto compiled = gl::Compute::compile(source(row));

@@ -49,18 +49,19 @@ Tables collect() {
   Tables tables;
   auto gl = gl::device_count() > 0 ? GlBuild::create() : problem("no EGL device");
   if (gl) tables.renderer = gl->renderer();
-  for (const char* kind : kinds) {
-    const auto& rows = table(kind);
+  for (const char* file : files) {
+    const auto& rows = table(file);
     std::map<Build, Values> values{{Build::f64, evaluate_f64(rows)},
                                    {Build::f32, evaluate_f32(rows)}};
     if (gl) {
       if (auto of_gl = gl->evaluate(rows)) values[Build::glsl] = std::move(*of_gl);
     }
-    const std::string names = std::string(kind) == "fresnel" ? "" : std::string(kind) + ": ";
+    const std::string names = std::string(file) == "fresnel" ? "" : std::string(file) + ": ";
     for (std::size_t i = 0; i < rows.size(); ++i) {
       std::map<Build, Error> errors;
       for (const auto& [build, all] : values) {
-        if (!all[i].empty()) errors[build] = compare(rows[i], all[i], bound(build));
+        if (!all[i].empty())
+          errors[build] = compare(rows[i], all[i], bound(build, rows[i].from_vectors));
       }
       add(lines_of(tables, names + rows[i].form), rows[i], errors);
     }
@@ -92,6 +93,9 @@ std::string report() {
       "relative. f32:\n"
       "relative or of the lobe's peak, the smaller. GLSL: of the peak. Bounds: 1e-12; 2e-6 or "
       "5e-7; 2e-4.\n"
+      "From vectors, around the peak of a lobe: relative, where the lobe is above 1e-6 of its "
+      "peak. "
+      "Bounds: 1e-9;\n1e-3; 1e-3.\n"
       "Beyond them: bold. GLSL ran on " +
       tables.renderer +
       ".\n\n"

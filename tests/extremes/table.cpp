@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <map>
 
+#include "common/models/reference.h"
 #include "common/problem.h"
 
 namespace metamer::extremes {
@@ -35,22 +37,27 @@ bool exact_in_f32(const std::vector<double>& values) {
   return true;
 }
 
-std::vector<Row> read(const std::string& kind) {
+const std::string vectors_folder = "vectors/";
+
+std::vector<Row> read(const std::string& name) {
   // Order of the columns: see write() in truth.py.
-  std::ifstream file(std::string(METAMER_TEST_DATA) + "/extremes/" + kind + ".csv");
+  std::ifstream file(std::string(METAMER_TEST_DATA) + "/extremes/" + name + ".csv");
+  const bool from_vectors = name.starts_with(vectors_folder);
+  const std::string kind = from_vectors ? name.substr(vectors_folder.size()) : name;
   std::vector<Row> rows;
   std::string text;
   std::getline(file, text);
-  EXPECT_EQ(text, "form,extremes,inputs,parameters,diffuse,slope,attenuation,values,peak") << kind;
+  EXPECT_EQ(text, "form,extremes,inputs,parameters,diffuse,slope,attenuation,values,peak") << name;
   for (int line = 2; std::getline(file, text); ++line) {
     const auto cells = split(text, ',');
     if (cells.size() != 9) {
-      ADD_FAILURE() << kind << ".csv:" << line << " has " << cells.size() << " cells";
+      ADD_FAILURE() << name << ".csv:" << line << " has " << cells.size() << " cells";
       return {};
     }
     Row row{kind,
             cells[0],
             split(cells[1], '|'),
+            from_vectors,
             numbers(cells[2]),
             numbers(cells[3]),
             cells[4],
@@ -60,6 +67,9 @@ std::vector<Row> read(const std::string& kind) {
             numbers(cells[8])[0],
             true,
             line};
+    // Vectors are written by the digits that say which f32 number is meant.
+    if (from_vectors)
+      for (double& value : row.inputs) value = static_cast<float>(value);
     row.single = exact_in_f32(row.inputs) && exact_in_f32(row.parameters);
     for (const std::string& one : {row.diffuse, row.slope, row.attenuation})
       row.single = row.single && exact_in_f32(part(one).parameters);
@@ -70,14 +80,15 @@ std::vector<Row> read(const std::string& kind) {
 
 }  // namespace
 
-const std::vector<Row>& table(const std::string& kind) {
+const std::vector<Row>& table(const std::string& file) {
   static std::map<std::string, std::vector<Row>> tables;
-  const auto found = tables.find(kind);
-  return found != tables.end() ? found->second : tables.emplace(kind, read(kind)).first->second;
+  const auto found = tables.find(file);
+  return found != tables.end() ? found->second : tables.emplace(file, read(file)).first->second;
 }
 
 std::string where(const Row& row) {
-  std::string text = row.kind + ".csv:" + std::to_string(row.line) + " " + row.form + " (";
+  std::string text = (row.from_vectors ? vectors_folder : "") + row.kind +
+                     ".csv:" + std::to_string(row.line) + " " + row.form + " (";
   for (const double value : row.inputs) text += number_text(value) + " ";
   text.back() = ';';
   for (const double value : row.parameters) text += " " + number_text(value);
@@ -100,7 +111,27 @@ int index_of(models::Kind kind, const std::string& name) {
 
 models::Angles<double> angles(const Row& row) {
   const auto& a = row.inputs;
-  return {a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7]};
+  if (row.from_vectors) {
+    const auto unit = [&](std::size_t i) {
+      return Eigen::Vector3d(a[i], a[i + 1], a[i + 2]).normalized();
+    };
+    const Eigen::Vector3d normal = unit(0), tangent = unit(3);
+    const Eigen::Vector3d flat = (tangent - normal.dot(tangent) * normal).normalized();
+    return models::angles_between(normal, flat, unit(6), unit(9), a[12]);
+  }
+  return {.n_dot_l = a[0],
+          .n_dot_v = a[1],
+          .n_dot_h = a[2],
+          .v_dot_h = a[3],
+          .r_dot_v = a[4],
+          .n_l_versine = 1 - a[0],
+          .n_v_versine = 1 - a[1],
+          .n_h_versine = 1 - a[2],
+          .r_v_versine = 1 - a[4],
+          .azimuth = a[5],
+          .tangent = a[6],
+          .bitangent = 1 - a[6],
+          .solid_angle = a[7]};
 }
 
 models::Reflection<double> reflection(const Row& row) {

@@ -155,13 +155,16 @@ def highlights():
         yield tag("N·H=R·V", label), angles(h=value, l=value)
 
 
-def number(x):
+def number(x, digits=None):
+    """As short as reads back, or to so many digits; an f32 number by the nine that say which."""
     x = float(x)
-    return repr(int(x)) if x == int(x) and abs(x) < 1e6 else repr(x)
+    if x == int(x) and abs(x) < 1e6:
+        return repr(int(x))
+    return repr(x) if digits is None else f"{x:.{digits}g}"
 
 
-def text(values):
-    return " ".join(number(x) for x in values)
+def text(values, digits=None):
+    return " ".join(number(x, digits) for x in values)
 
 
 def rounded(value):
@@ -316,16 +319,18 @@ def models():
                          for part in (diffuse_part, slope, attenuation)), lobes, [peak])
 
 
-def write(kind):
+def write(name, rows, digits=None):
+    """Rows as above; with `digits` the inputs are f32 numbers and the values have so many digits."""
     header = "form,extremes,inputs,parameters,diffuse,slope,attenuation,values,peak"
     lines = [header]
-    for name, tags, inputs, parameters, *parts, values, peaks in globals()[kind]():
-        lines.append(",".join([name, "|".join(tags).replace(",", ";"), text(inputs), text(parameters), *parts,
-                               text(map(rounded, values)), text(map(rounded, peaks))]))
-    (HERE / f"{kind}.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
-    print(f"{kind}.csv: {len(lines) - 1} rows")
+    for form, tags, inputs, parameters, *parts, values, peaks in rows:
+        lines.append(",".join([form, "|".join(tags).replace(",", ";"), text(inputs, digits and 9),
+                               text(parameters), *parts, text(map(rounded, values), digits),
+                               text(map(rounded, peaks), digits)]))
+    (HERE / f"{name}.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
+    print(f"{name}.csv: {len(lines) - 1} rows")
 
 
 if __name__ == "__main__":
-    for each in ("slopes", "attenuations", "diffuse", "fresnel", "models"):
-        write(each)
+    for each in (slopes, attenuations, diffuse, fresnel, models):
+        write(each.__name__, each())

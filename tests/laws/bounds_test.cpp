@@ -35,8 +35,13 @@ Points points(Random& random) {
     set(result.f32.n_dot_h, a.n_dot_h);
     set(result.f32.v_dot_h, a.v_dot_h);
     set(result.f32.r_dot_v, a.r_dot_v);
+    set(result.f32.n_l_versine, a.n_l_versine);
+    set(result.f32.n_v_versine, a.n_v_versine);
+    set(result.f32.n_h_versine, a.n_h_versine);
+    set(result.f32.r_v_versine, a.r_v_versine);
     set(result.f32.azimuth, a.azimuth);
     set(result.f32.tangent, a.tangent);
+    set(result.f32.bitangent, a.bitangent);
     set(result.f32.solid_angle, a.solid_angle);
   }
   return result;
@@ -57,6 +62,7 @@ void expect_lawful(double f64, float f32, double peak, const Angles<double>& a, 
 
 Angles<double> mirrored(Angles<double> angles) {
   angles.n_dot_h = angles.r_dot_v = 1;
+  angles.n_h_versine = angles.r_v_versine = 0;
   return angles;
 }
 
@@ -145,7 +151,8 @@ TEST(Laws, EachLaneIsItsOwn) {
     for (int i = 0; i < lane_count; ++i) {
       Angles<Float8> one = at.f32;
       for (Float8* lanes : {&one.n_dot_l, &one.n_dot_v, &one.n_dot_h, &one.v_dot_h, &one.r_dot_v,
-                            &one.azimuth, &one.tangent, &one.solid_angle})
+                            &one.n_l_versine, &one.n_v_versine, &one.n_h_versine, &one.r_v_versine,
+                            &one.azimuth, &one.tangent, &one.bitangent, &one.solid_angle})
         *lanes = broadcast((*lanes)[i]);
       const auto alone = models::evaluate(reflection, one);
       EXPECT_EQ(alone.diffuse[7 - i], together.diffuse[i]) << model.name;

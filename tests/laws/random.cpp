@@ -101,8 +101,11 @@ models::Reflection<double> rounded_to_f32(models::Reflection<double> reflection)
 }
 
 models::Angles<double> rounded_to_f32(models::Angles<double> a) {
-  return {as_f32(a.n_dot_l), as_f32(a.n_dot_v), as_f32(a.n_dot_h), as_f32(a.v_dot_h),
-          as_f32(a.r_dot_v), as_f32(a.azimuth), as_f32(a.tangent), as_f32(a.solid_angle)};
+  return {as_f32(a.n_dot_l),     as_f32(a.n_dot_v),     as_f32(a.n_dot_h),
+          as_f32(a.v_dot_h),     as_f32(a.r_dot_v),     as_f32(a.n_l_versine),
+          as_f32(a.n_v_versine), as_f32(a.n_h_versine), as_f32(a.r_v_versine),
+          as_f32(a.azimuth),     as_f32(a.tangent),     as_f32(a.bitangent),
+          as_f32(a.solid_angle)};
 }
 
 }  // namespace metamer::laws

@@ -26,7 +26,9 @@ double integral(models::Slope slope, const Reflection<double>::Parameters& param
     const double t2 = std::exp(2 * x);
     models::Angles<double> angles{};
     angles.n_dot_h = 1 / std::sqrt(1 + t2);
+    angles.n_h_versine = t2 / (1 + t2) / (1 + angles.n_dot_h);
     angles.tangent = square_of_azimuth;
+    angles.bitangent = 1 - square_of_azimuth;
     sum += models::slope(slope, parameters, angles) * 2 * t2 / ((1 + t2) * (1 + t2)) * step;
   }
   return sum;

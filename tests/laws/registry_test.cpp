@@ -42,6 +42,7 @@ TEST(BlinnPhong, IsItsEquation) {
   Angles<double> angles{};
   angles.n_dot_l = 0.5;
   angles.n_dot_h = 0.9;
+  angles.n_h_versine = 0.1;
   const auto lobes = evaluate(reflection, angles);
   EXPECT_DOUBLE_EQ(lobes.diffuse, 0.35);
   EXPECT_NEAR(lobes.specular, 0.3 * 1.797010299914431e-3, 1e-17);

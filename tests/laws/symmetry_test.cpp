@@ -136,6 +136,7 @@ TEST(SymmetryLaws, IsotropicModelsDoNotChangeWhenEverythingIsTurnedAboutTheNorma
       const auto at = angles(light, viewer);
       auto mirrored = at;
       mirrored.n_dot_h = mirrored.r_dot_v = 1;
+      mirrored.n_h_versine = mirrored.r_v_versine = 0;
       const double peak = reflected(models::evaluate(reflection, mirrored));
       const double still = reflected(models::evaluate(reflection, at));
       const double turned =

@@ -81,7 +81,10 @@ int main() {
   models::Reflection<double> in_f64{.model = static_cast<models::Model>(toy->index),
                                     .parameters = {0.5, 0.25, 0.9}};
   models::Reflection<float> in_f32{.model = in_f64.model, .parameters = {0.5f, 0.25f, 0.9f}};
-  const auto f64 = models::evaluate(in_f64, {0.5, 1, 0.95, 1, 1, 0, 1, 1});
+  models::Angles<double> exact{};
+  exact.n_dot_l = 0.5;
+  exact.n_dot_h = 0.95;
+  const auto f64 = models::evaluate(in_f64, exact);
   models::Angles<Float8> angles{};
   angles.n_dot_l = broadcast(0.5f);
   angles.n_dot_h = broadcast(0.95f);
