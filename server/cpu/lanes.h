@@ -33,10 +33,6 @@ inline Vec8 operator*(const Vec8& a, Float8 s) { return {a.x * s, a.y * s, a.z *
 inline Vec8 operator/(const Vec8& a, Float8 s) { return {a.x / s, a.y / s, a.z / s}; }
 inline Float8 dot(const Vec8& a, const Vec8& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-inline Vec8 cross(const Vec8& a, const Vec8& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 inline Float8 select(Int8 mask, Float8 yes, Float8 no) { return mask ? yes : no; }
 inline Vec8 select(Int8 mask, const Vec8& yes, const Vec8& no) {
   return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};

@@ -20,7 +20,7 @@ struct Angles {
     Real r_v_versine;  // 1 − l
     Real azimuth;      // C of E[2.2-29]: between L and V projected on the surface, -1 to 1
     Real tangent;      // m²: squared cosine between T and H projected on the surface; 1 at H = N
-    Real bitangent;    // 1 − m²: the same of N × T
+    Real bitangent;    // 1 − m²
     Real solid_angle;  // ω of the light, sr
 };
 

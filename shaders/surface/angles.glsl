@@ -77,12 +77,15 @@ Angles angles_of(Vec3 normal, Vec3 tangent, Vec3 to_light, Vec3 to_viewer, Real 
     angles.solid_angle = solid_angle;
     if (needs_azimuth) angles.azimuth = azimuth_between(normal, to_light, to_viewer, j, k);
     if (needs_tangent) {
-        // The parts of `projected` along the tangent and across it, both projected on the surface.
-        Real t = dot(projected, tangent - normal * dot(normal, tangent));
-        Real b = dot(projected, cross(normal, tangent));
-        Real whole = t * t + b * b;
-        angles.tangent = select(whole > Real(0), t * t / whole, Real(1));
-        angles.bitangent = select(whole > Real(0), b * b / whole, Real(0));
+        // The part of `projected` along T, which is projected too, and what is left of it across T.
+        Vec3 flat_tangent = tangent - normal * dot(normal, tangent);
+        Real tangent_squared = dot(flat_tangent, flat_tangent);
+        Real t = dot(projected, flat_tangent);
+        Vec3 rest = projected - flat_tangent * (t / tangent_squared);
+        Real whole = tangent_squared * projected_squared;
+        angles.tangent = select(whole > Real(0), min(t * t / whole, Real(1)), Real(1));
+        angles.bitangent =
+            select(whole > Real(0), min(dot(rest, rest) / projected_squared, Real(1)), Real(0));
     }
     return angles;
 }

@@ -27,14 +27,18 @@ LOWEST = 5e-4  # The smallest NÂ·V: below it f32 vectors themselves don't say NÂ
 SOLID_ANGLE = 3.125
 
 
+def is_exponent(low, high):
+    return low > 0 and high / low >= 1000
+
+
 def steps(label, low, high):
     """Sharpnesses that a parameter may have, from its one end to the other."""
     if label == "smoothness":
         return [low, 0.9, 0.99, 0.999, 0.9999, 0.99999, high]
     if label.startswith("roughness") and low > 0:
-        return [low, 0.003, 0.01, 0.03, 0.1, high]
-    if low > 0 and high / low >= 1e6:
-        return [low, *(10.0 ** e for e in range(1, 6)), high]
+        return [low, 0.005, 0.01, 0.03, 0.1, high]
+    if is_exponent(low, high):
+        return [low, *(10.0 ** e for e in range(1, 6) if 10.0 ** e < high), high]
     return [low, high]
 
 
@@ -61,7 +65,7 @@ def widths(kind, name, values):
             result.append(math.sqrt((1 - value) / 3))
         elif label == "falloff":
             result.append(math.sqrt(2 / value))
-        elif low > 0 and high / low >= 1e6:
+        elif is_exponent(low, high):
             result.append(1 / math.sqrt(value))
     result = [min(x, 1) for x in result] or [0.3]
     return result[0], result[-1]

@@ -72,7 +72,7 @@ void expect_right(double f64, double f32, double peak, const Angles<double>& a, 
 TEST(PeakLaws, ModelsOfF32VectorsAreRightAtEverySharpness) {
   for (const Entry& model : models::registry(Kind::model)) {
     Random random;
-    for (int i = 0; i < law_inputs / 8 && !HasFailure(); ++i) {
+    for (int i = 0; i < law_inputs / 20 && !HasFailure(); ++i) {
       const auto reflection = random.reflection(model);
       const Point at = point(random);
       const auto exact = models::evaluate(reflection, at.f64);
@@ -94,7 +94,7 @@ TEST(PeakLaws, SlopesOfF32VectorsAreRightAtEverySharpness) {
   for (const Entry& slope : models::registry(Kind::slope)) {
     const auto which = static_cast<models::Slope>(slope.index);
     Random random;
-    for (int i = 0; i < law_inputs / 8 && !HasFailure(); ++i) {
+    for (int i = 0; i < law_inputs / 20 && !HasFailure(); ++i) {
       auto parameters = random.parameters(slope);
       const auto single = extremes::single(parameters);
       std::copy(single.begin(), single.end(), parameters.begin());

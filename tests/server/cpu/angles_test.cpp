@@ -31,10 +31,41 @@ TEST(Angles, AreThoseOfTheReference) {
     EXPECT_NEAR(angles.n_dot_h[0], expected.n_dot_h, 2e-6);
     EXPECT_NEAR(angles.v_dot_h[0], expected.v_dot_h, 2e-6);
     EXPECT_NEAR(angles.r_dot_v[0], expected.r_dot_v, 2e-6);
+    EXPECT_NEAR(angles.n_l_versine[0], expected.n_l_versine, 1e-6);
+    EXPECT_NEAR(angles.n_v_versine[0], expected.n_v_versine, 1e-6);
+    EXPECT_NEAR(angles.n_h_versine[0], expected.n_h_versine, 2e-6);
+    EXPECT_NEAR(angles.r_v_versine[0], expected.r_v_versine, 2e-6);
     EXPECT_NEAR(angles.azimuth[0], expected.azimuth, 1e-4);
     EXPECT_NEAR(angles.tangent[0], expected.tangent, 1e-4);
+    EXPECT_NEAR(angles.bitangent[0], expected.bitangent, 1e-4);
     EXPECT_EQ(angles.solid_angle[0], 0.25f);
   }
+}
+
+TEST(Angles, OfNearlyTheSameVectorsHaveAllTheirDigits) {
+  // 2⁻¹² from the mirror direction, in vectors whose lengths miss 1 by a rounding: cosines of 1 −
+  // 3e-8 and less, which f32 can't tell from 1.
+  const float small = 0x1p-12f, less = 1 - 0x1p-24f, more = 1 + 0x1p-23f;
+  const Vec8 normal = broadcast({0, 0, less}), light = broadcast({0, 0, more});
+  const Vec8 viewer = broadcast({small, 0, less}), tangent = broadcast({1, 0, 0});
+  const auto angles = shared::angles_of(normal, tangent, light, viewer, broadcast(1), false, false);
+  const double angle = std::atan(double(small) / double(less));
+  const auto versine = [](double of) { return 2 * std::sin(of / 2) * std::sin(of / 2); };
+  EXPECT_NEAR(angles.n_h_versine[0], versine(angle / 2), 2e-6 * versine(angle / 2));
+  EXPECT_NEAR(angles.n_v_versine[0], versine(angle), 2e-6 * versine(angle));
+  EXPECT_NEAR(angles.r_v_versine[0], versine(angle), 2e-6 * versine(angle));
+  EXPECT_LT(angles.n_l_versine[0], 1e-13f);
+}
+
+TEST(Angles, WhereLightAndViewerAreOppositeThereIsNoBisector) {
+  const auto angles =
+      shared::angles_of(broadcast({0, 0, 1}), broadcast({1, 0, 0}), broadcast({0.6f, 0, 0.8f}),
+                        broadcast({-0.6f, 0, -0.8f}), broadcast(1), true, true);
+  EXPECT_EQ(angles.n_dot_h[0], 0);
+  EXPECT_EQ(angles.n_h_versine[0], 1);
+  EXPECT_EQ(angles.v_dot_h[0], 0);
+  EXPECT_EQ(angles.tangent[0], 1);
+  EXPECT_EQ(angles.bitangent[0], 0);
 }
 
 TEST(Angles, ATangentAlongTheNormalGivesWayToTheOtherAxis) {
