@@ -38,8 +38,8 @@ Real azimuth_between(Vec3 normal, Vec3 to_light, Vec3 to_viewer, Real j, Real k)
 // the tangent, which cost something, are left at 0 and 1 where no model of the scene needs them.
 Angles angles_of(Vec3 normal, Vec3 tangent, Vec3 to_light, Vec3 to_viewer, Real solid_angle,
                  bool needs_azimuth, bool needs_tangent) {
-    // S = L + V and D = L − V are orthogonal where L and V are equally long. By a rounding they are not:
-    // what that is counts at grazing incidence, where S is short.
+    // S = L + V and D = L − V are orthogonal where L and V are equally long. They are so but for a
+    // rounding, which would count at grazing incidence, where S is short: make them so.
     Vec3 sum = to_light + to_viewer;
     Vec3 apart = to_light - to_viewer;
     Real longer = Real(0.25) * dot(sum, apart);

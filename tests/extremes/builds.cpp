@@ -11,7 +11,7 @@
 namespace metamer::extremes {
 namespace {
 
-/// Of a lobe's peak: where it is less, an error of f32 vectors needs not be small beside it.
+/// Of a lobe's peak: where the lobe is less, an error from vectors is told beside this.
 constexpr double negligible = 1e-6;
 
 template <class Number>

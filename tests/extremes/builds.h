@@ -19,7 +19,7 @@ struct Bound {
   double relative, of_peak;  ///< An error is within one of them.
   double smallest, largest;  ///< The normal numbers of its type.
 };
-/// Of rows from cosines, or from vectors: their cosines are rounded before a model sees them.
+/// From vectors it is wider than from cosines: their angles are rounded before a model sees them.
 Bound bound(Build build, bool from_vectors);
 
 /// What the build makes of each row: as many values as the row has, or none where the row's inputs

@@ -19,13 +19,12 @@ namespace {
 using Eigen::Vector3d;
 using models::Angles, models::Entry, models::Kind, models::Reflection;
 
-constexpr double relative = 1e-3;  ///< What a sharp highlight is right to.
-constexpr double negligible =
-    1e-6;  ///< Of the peak: where the lobe is less, that is of this share.
-/// Of N·L, N·V and R·V: a roundings of the vectors is 1e-4 of these.
+/// What a highlight is right to, and of which share of its peak where it is less.
+constexpr double relative = 1e-3, negligible = 1e-6;
+/// The smallest N·L, N·V and R·V: a rounding of f32 is 1e-4 of it.
 constexpr double horizon = 1e-3;
 
-/// Four f32 vectors, each the rounding of a unit vector, and their angles by f64 and by f32.
+/// The angles of four f32 vectors, each the rounding of a unit vector, by f64 and by f32.
 struct Point {
   Angles<double> f64;
   Angles<Float8> f32;
@@ -33,9 +32,7 @@ struct Point {
 
 Vector3d rounded(const Vector3d& v) { return v.cast<float>().cast<double>(); }
 
-Vec8 lanes(const Vector3d& v) { return to_lanes(v); }
-
-/// A width of highlights between 1e-4 and 1 away from the mirror direction of a light anywhere.
+/// A light anywhere above the horizon; a viewer anywhere, or 1e-6 to 1 from its mirror direction.
 Point point(Random& random) {
   for (;;) {
     const Eigen::Quaterniond turn = Eigen::Quaterniond(random.between(-1, 1), random.between(-1, 1),
@@ -50,8 +47,8 @@ Point point(Random& random) {
     Point result;
     result.f64 = models::angles_between(up, (along - up.dot(along) * up).normalized(),
                                         l.normalized(), v.normalized(), 1);
-    result.f32 =
-        cpu::shared::angles_of(lanes(n), lanes(t), lanes(l), lanes(v), broadcast(1), true, true);
+    result.f32 = cpu::shared::angles_of(to_lanes(n), to_lanes(t), to_lanes(l), to_lanes(v),
+                                        broadcast(1), true, true);
     return result;
   }
 }
