@@ -10,18 +10,15 @@ namespace {
 
 using Row = std::vector<float>;
 
-/// The scene's lights with their luminance, E[3.2-4] by every nm, at `nm`.
+/// The mean power in each band of the scene's lights, with their luminance, E[3.2-4].
 std::vector<std::vector<double>> light_rows(const v1::SceneFactors& scene, cie::Observer observer,
-                                            const std::vector<double>& nm) {
-  const Wavelengths all = observer_wavelengths();
-  const ObserverWeights weights = observer_weights(observer, all);
+                                            const Wavelengths& bands) {
   std::vector<std::vector<double>> rows;
   for (const auto& light : scene.light()) {
     const Spectrum power = to_spectrum(light.power());
-    const double scale = luminance_scale(weights, resample(power, all.nm(), Outside::zero).values,
-                                         light.luminance());
-    rows.push_back(resample(power, nm, Outside::zero).values);
-    for (double& value : rows.back()) value *= scale;
+    const double y = emission_xyz(power, observer)[1];
+    rows.push_back(mean_power(power, bands));
+    for (double& value : rows.back()) value *= y > 0 ? light.luminance() / y : 0;
   }
   return rows;
 }
@@ -70,25 +67,24 @@ struct alignas(16) Color {
 
 std::vector<Color> signature_colors(const v1::TileFactors& tables, const v1::SceneFactors& scene,
                                     cie::Observer observer) {
-  const Wavelengths wavelengths = observer_wavelengths();
-  const ObserverWeights weights = observer_weights(observer, wavelengths);
-  std::vector<std::array<Row, 3>> sensors;  // Φ x̄ Δλ and so on, a light each
-  for (const std::vector<double>& light : light_rows(scene, observer, wavelengths.nm())) {
+  const std::vector<double> nm = SceneSources(scene).edges();
+  std::vector<std::array<Row, 3>> sensors;  // what is seen of each light
+  for (const auto& light : scene.light()) {
     std::array<Row, 3>& sensor = sensors.emplace_back();
+    const ObserverWeights lit = under_light(observer, to_spectrum(light.power()), nm);
     for (std::size_t axis = 0; axis < 3; ++axis)
-      for (std::size_t k = 0; k < light.size(); ++k)
-        sensor[axis].push_back(static_cast<float>(light[k] * weights.weights[axis][k]));
+      for (const double value : lit.weights[axis])
+        sensor[axis].push_back(static_cast<float>(light.luminance() * value));
   }
 
   std::vector<Color> colors;
   fold(MessageTerms(tables),
-       Products(scene, wavelengths.nm(),
-                [&](const Row& product, std::uint32_t light, const Row& factor) {
-                  const std::array<Row, 3>& sensor = sensors[light];
-                  colors.push_back({{integrate(product, factor, sensor[0]),
-                                     integrate(product, factor, sensor[1]),
-                                     integrate(product, factor, sensor[2]), 0}});
-                }));
+       Products(scene, nm, [&](const Row& product, std::uint32_t light, const Row& factor) {
+         const std::array<Row, 3>& sensor = sensors[light];
+         colors.push_back(
+             {{integrate(product, factor, sensor[0]), integrate(product, factor, sensor[1]),
+               integrate(product, factor, sensor[2]), 0}});
+       }));
   return colors;
 }
 
@@ -115,7 +111,7 @@ Image relight(const Factors& factors, const v1::SceneFactors& scene, cie::Observ
 Image relight_spectral(const Factors& factors, const v1::SceneFactors& scene,
                        cie::Observer observer, const Wavelengths& wavelengths) {
   // The light of each signature.
-  const auto lights = light_rows(scene, observer, wavelengths.nm());
+  const auto lights = light_rows(scene, observer, wavelengths);
   std::vector<Row> spectra;
   fold(MessageTerms(factors.tables),
        Products(scene, wavelengths.nm(),
@@ -146,23 +142,15 @@ Image relight_spectral(const Factors& factors, const v1::SceneFactors& scene,
 double seen_share(const v1::SceneFactors::Light& light, cie::Observer observer,
                   const Wavelengths& wavelengths) {
   const Spectrum power = to_spectrum(light.power());
-  const auto luminance = [&](const Wavelengths& at) {
-    return to_xyz(observer_weights(observer, at),
-                  resample(power, at.nm(), Outside::zero).values)[1];
-  };
-  const double all = luminance(observer_wavelengths());
-  return all > 0 ? luminance(wavelengths) / all : 1;
+  const double all = emission_xyz(power, observer)[1];
+  const ObserverWeights weights = observer_weights(observer, wavelengths);
+  return all > 0 ? to_xyz(weights, mean_power(power, wavelengths))[1] / all : 1;
 }
 
 std::optional<Xyz> source_white(const v1::SceneFactors& scene, cie::Observer observer) {
   if (scene.light().empty()) return std::nullopt;
-  const Wavelengths all = observer_wavelengths();
-  const ObserverWeights weights = observer_weights(observer, all);
-  const auto power = resample(to_spectrum(scene.light(0).power()), all.nm(), Outside::zero).values;
-  const double scale = luminance_scale(weights, power, 1);
-  if (!(scale > 0)) return std::nullopt;
-  Xyz white = to_xyz(weights, power);
-  for (double& value : white) value *= scale;
+  const Xyz white = white_of(to_spectrum(scene.light(0).power()), observer);
+  if (!(white[1] > 0)) return std::nullopt;
   return white;
 }
 

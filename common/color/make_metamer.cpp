@@ -146,9 +146,8 @@ Result<Metamer> make_metamer(const Spectrum& original, const Spectrum& under,
 
   // Put everything at 1 nm.
   const Wavelengths wavelengths = observer_wavelengths();
-  const ObserverWeights eye = observer_weights(observer, wavelengths);
   const auto lit_by = [&](const Spectrum& light) {
-    return to_rows(under_light(eye, resample(light, wavelengths.nm(), Outside::zero).values));
+    return to_rows(under_light(observer, light, wavelengths.nm()));
   };
   const Rows here = lit_by(under), there = lit_by(against);
   const Eigen::Vector3d white = there.rowwise().sum();

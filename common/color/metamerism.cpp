@@ -5,16 +5,13 @@ namespace metamer {
 Result<std::vector<Mismatch>> metamerism(const Spectrum& one, const Spectrum& other,
                                          const std::vector<NamedSpectrum>& lights,
                                          cie::Observer observer) {
-  const Wavelengths wavelengths = observer_wavelengths();
-  const ObserverWeights eye = observer_weights(observer, wavelengths);
-  const std::vector<double> a = resample(one, wavelengths.nm(), Outside::hold).values;
-  const std::vector<double> b = resample(other, wavelengths.nm(), Outside::hold).values;
-  const std::vector<double> perfect(wavelengths.size(), 1.0);
+  const std::vector<double> nm = cell_edges({&one, &other}), perfect(nm.size(), 1.0);
+  const std::vector<double> a = resample(one, nm, Outside::hold).values;
+  const std::vector<double> b = resample(other, nm, Outside::hold).values;
 
   std::vector<Mismatch> result;
   for (const NamedSpectrum& light : lights) {
-    const ObserverWeights lit =
-        under_light(eye, resample(light.spectrum, wavelengths.nm(), Outside::zero).values);
+    const ObserverWeights lit = under_light(observer, light.spectrum, nm);
     const Xyz white = to_xyz(lit, perfect), first = to_xyz(lit, a), second = to_xyz(lit, b);
     for (const double value : white)
       if (!(value > 0)) return problem("the light " + quoted(light.name) + " has no white to see");

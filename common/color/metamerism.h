@@ -17,8 +17,8 @@ struct Mismatch {
   double de00, deab, deuv;
 };
 
-/// The differences under each of `lights`, summed from 360 to 830 nm by 1 nm; reflectances hold
-/// their end values. Error: a light that the observer does not see.
+/// The differences under each of `lights`, integrated from 360 to 830 nm; reflectances hold their
+/// end values. Error: a light that the observer does not see.
 Result<std::vector<Mismatch>> metamerism(const Spectrum& one, const Spectrum& other,
                                          const std::vector<NamedSpectrum>& lights,
                                          cie::Observer observer);

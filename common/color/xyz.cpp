@@ -14,6 +14,12 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
 
 }  // namespace
 
+std::vector<const Spectrum*> with_observer(cie::Observer observer,
+                                           std::vector<const Spectrum*> spectra) {
+  for (const Spectrum& function : cie::matching_functions(observer)) spectra.push_back(&function);
+  return spectra;
+}
+
 ObserverWeights observer_weights(cie::Observer observer, const Wavelengths& wavelengths) {
   const std::array<Spectrum, 3>& functions = cie::matching_functions(observer);
   ObserverWeights result;
@@ -30,11 +36,30 @@ Xyz to_xyz(const ObserverWeights& observer, const std::vector<double>& power) {
   return {dot(x, power), dot(y, power), dot(z, power)};
 }
 
-ObserverWeights under_light(ObserverWeights observer, const std::vector<double>& power) {
-  const double scale = luminance_scale(observer, power, 1);
-  for (std::vector<double>& weights : observer.weights)
-    for (std::size_t i = 0; i < weights.size(); ++i) weights[i] *= scale * power[i];
-  return observer;
+ObserverWeights under_light(cie::Observer observer, const Spectrum& emission,
+                            const std::vector<double>& nm) {
+  const Spectrum at{nm, nm};
+  const Wavelengths cells = cells_of(with_observer(observer, {&emission, &at}));
+  const ObserverWeights eye = observer_weights(observer, cells);
+  std::vector<double> power = resample(emission, cells.nm(), Outside::zero).values;
+  const double scale = luminance_scale(eye, power, 1);
+  ObserverWeights lit;
+  for (std::size_t c = 0; c < lit.weights.size(); ++c) {
+    std::vector<double> seen = eye.weights[c];
+    for (std::size_t i = 0; i < seen.size(); ++i) seen[i] *= scale * power[i] / cells.widths()[i];
+    lit.weights[c] = shares(seen, cells, nm, Outside::hold);
+  }
+  return lit;
+}
+
+Xyz emission_xyz(const Spectrum& emission, cie::Observer observer) {
+  const Wavelengths cells = cells_of(with_observer(observer, {&emission}));
+  return to_xyz(observer_weights(observer, cells),
+                resample(emission, cells.nm(), Outside::zero).values);
+}
+
+Xyz white_of(const Spectrum& emission, cie::Observer observer) {
+  return to_xyz(under_light(observer, emission, {555}), {1});
 }
 
 double luminance_scale(const ObserverWeights& observer, const std::vector<double>& power,

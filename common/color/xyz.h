@@ -3,13 +3,17 @@
 #include <array>
 #include <vector>
 
+#include "common/spectral/cells.h"
 #include "common/spectral/cie.h"
-#include "common/spectral/wavelengths.h"
 
 namespace metamer {
 
 /// Tristimulus values X, Y, Z, relative to luminance 1.
 using Xyz = std::array<double, 3>;
+
+/// The matching functions of an observer and what else makes cells (cells_of).
+std::vector<const Spectrum*> with_observer(cie::Observer observer,
+                                           std::vector<const Spectrum*> spectra);
 
 /// An observer at the positions of a rendering: x̄Δλ, ȳΔλ, z̄Δλ, so that XYZ is three dot products
 /// (E[3.2-2], all N samples, with the cell widths of Fig. 4-2). Outside its table it sees nothing.
@@ -22,10 +26,18 @@ ObserverWeights observer_weights(cie::Observer observer, const Wavelengths& wave
 /// E[3.2-2]: X = Σ x̄ Φ Δλ and so on; `power` has a value for each wavelength.
 Xyz to_xyz(const ObserverWeights& observer, const std::vector<double>& power);
 
-/// The observer of reflectances under a light of `power`, whose luminance is made 1: the X Y Z of a
-/// reflectance are three dot products, and those of a perfect white are the light's white. All 0
-/// where the light is dark.
-ObserverWeights under_light(ObserverWeights observer, const std::vector<double>& power);
+/// The observer of reflectances under a light whose luminance is made 1: the X Y Z of a reflectance
+/// are three dot products with its values at `nm`, exact where it is a straight line between these,
+/// and keeps its end values. Those of a perfect white are the light's white. All 0 where the light
+/// is dark.
+ObserverWeights under_light(cie::Observer observer, const Spectrum& emission,
+                            const std::vector<double>& nm);
+
+/// X Y Z of a light as it is: the integral from 360 to 830 nm.
+Xyz emission_xyz(const Spectrum& emission, cie::Observer observer);
+
+/// X Y Z of a light whose luminance is made 1; all 0 where it is dark.
+Xyz white_of(const Spectrum& emission, cie::Observer observer);
 
 /// ξ of E[3.2-4] = luminance / Σ ȳ Φ Δλ, the factor that gives `power` that luminance.
 /// 0 where the observer sees nothing of it: such a light stays dark, and the caller says so.

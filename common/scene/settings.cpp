@@ -26,7 +26,7 @@ v1::Settings with_defaults(const v1::Settings& settings) {
   if (full.has_goal() && full.goal().goal_case() == v1::Goal::GOAL_NOT_SET)
     full.mutable_goal()->set_tolerance(0.5);
   if (!full.has_goal() && full.method().method_case() == v1::Method::METHOD_NOT_SET)
-    full.mutable_method()->mutable_point();
+    full.mutable_method()->mutable_exact();
   if (const MethodEntry* method = method_entry(full.method()); method && method->fill)
     method->fill(*full.mutable_method());
   return full;

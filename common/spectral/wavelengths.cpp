@@ -1,5 +1,6 @@
 #include "common/spectral/wavelengths.h"
 
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -39,6 +40,14 @@ std::optional<std::string> wrong_positions(const std::vector<double>& nm) {
 }
 
 Wavelengths::Wavelengths(std::vector<double> nm) : nm_(std::move(nm)), widths_(cell_widths(nm_)) {}
+
+Wavelengths::Wavelengths(std::vector<double> nm, std::vector<double> widths)
+    : nm_(std::move(nm)), widths_(std::move(widths)) {}
+
+Wavelengths Wavelengths::weighted(std::vector<double> nm, std::vector<double> widths) {
+  assert(!nm.empty() && nm.size() == widths.size());
+  return {std::move(nm), std::move(widths)};
+}
 
 Result<Wavelengths> Wavelengths::uniform(double from, double to, double step) {
   // Check the three numbers.

@@ -22,17 +22,22 @@ class Wavelengths {
   /// message names the offending pair.
   static Result<Wavelengths> listed(std::vector<double> nm);
 
+  /// Positions with the widths that a sum over them is to have, as many: a quadrature's own.
+  static Wavelengths weighted(std::vector<double> nm, std::vector<double> widths);
+
   static constexpr std::size_t max_count = 4001;  ///< 300 to 700 nm by 0.1 nm.
 
   std::size_t size() const { return nm_.size(); }
   const std::vector<double>& nm() const { return nm_; }
 
-  /// Cell widths Δλ (nm) by Fig. 4-2: inside, half the distance between both neighbours; at the
-  /// ends, the distance to the one neighbour. A single wavelength has the width 1.
+  /// Cell widths Δλ (nm), those of weighted() or by Fig. 4-2: inside, half the distance between
+  /// both neighbours; at the ends, the distance to the one neighbour. A single wavelength has the
+  /// width 1.
   const std::vector<double>& widths() const { return widths_; }
 
  private:
   explicit Wavelengths(std::vector<double> nm);
+  Wavelengths(std::vector<double> nm, std::vector<double> widths);
   std::vector<double> nm_, widths_;
 };
 

@@ -1,69 +1,11 @@
 #include "server/methods/banded.h"
 
-#include <algorithm>
-#include <cassert>
-
 #include "common/transport/fold.h"
+#include "server/methods/band_loops.h"
 
 namespace metamer {
-namespace {
 
-/// Loops over `n` bands, n a multiple of 16, of rows that do not overlap.
-using Row = float* __restrict;
-using ConstRow = const float* __restrict;
-
-void add_term(std::size_t n, Row carrier, ConstRow light, ConstRow row, float weight) {
-  for (std::size_t i = 0; i < n; ++i) carrier[i] += light[i] * (weight * row[i]);
-}
-
-void add_lobes(std::size_t n, Row carrier, ConstRow light, ConstRow diffuse, ConstRow specular,
-               const LobeWeights& w) {
-  for (std::size_t i = 0; i < n; ++i)
-    carrier[i] += light[i] * (w.diffuse * diffuse[i] + (w.specular * specular[i] + w.white));
-}
-
-/// Over a factor that is one row, or a weighted sum of two.
-void add_product(std::size_t n, Row carrier, ConstRow incoming, ConstRow row) {
-  for (std::size_t i = 0; i < n; ++i) carrier[i] += incoming[i] * row[i];
-}
-
-void add_product(std::size_t n, Row carrier, ConstRow incoming, ConstRow first, float w,
-                 ConstRow second, float v) {
-  for (std::size_t i = 0; i < n; ++i) carrier[i] += incoming[i] * (w * first[i] + v * second[i]);
-}
-
-/// A dot product in 16 partial sums: vectorised whatever the compiler may assume of addition, and
-/// more exact than one running sum.
-float dot(std::size_t n, ConstRow a, ConstRow b) {
-  float sums[band_pad] = {};
-  for (std::size_t i = 0; i < n; i += band_pad)
-    for (std::size_t j = 0; j < band_pad; ++j) sums[j] += a[i + j] * b[i + j];
-  for (std::size_t width = band_pad / 2; width > 0; width /= 2)
-    for (std::size_t j = 0; j < width; ++j) sums[j] += sums[j + width];
-  return sums[0];
-}
-
-}  // namespace
-
-BandTable::BandTable(std::size_t rows, std::size_t bands)
-    : rows_(rows),
-      bands_(bands),
-      stride_((bands + band_pad - 1) / band_pad * band_pad),
-      values_(new (std::align_val_t{64}) float[std::max<std::size_t>(rows, 1) * stride_]()) {}
-
-void BandTable::set(std::size_t index, const std::vector<double>& values) {
-  assert(values.size() <= stride_);
-  std::transform(values.begin(), values.end(), row(index),
-                 [](double value) { return static_cast<float>(value); });
-}
-
-std::vector<float> BandTable::packed() const {
-  const std::size_t width = 4 * std::size_t{groups_of_four(bands_)};
-  std::vector<float> all(rows_ * width);
-  for (std::size_t i = 0; i < rows_; ++i) std::copy_n(row(i), bands_, &all[i * width]);
-  return all;
-}
-
+using namespace band_loops;
 namespace {
 
 /// The bands of a pixel's chains.
@@ -94,10 +36,7 @@ struct BandedMethod::Fold : FoldHooks {
     const float* specular = tables.rows.row(rows.specular(material));
     for (std::size_t light = 0; light < weights.size(); ++light) {
       const LobeWeights& w = weights[light];
-      if (w.specular != 0 || w.white != 0)
-        add_lobes(n, carrier(chain), tables.lights.row(light), diffuse, specular, w);
-      else if (w.diffuse != 0)
-        add_term(n, carrier(chain), tables.lights.row(light), diffuse, w.diffuse);
+      add_lobes(n, carrier(chain), tables.lights.row(light), diffuse, specular, w);
     }
   }
 
@@ -107,13 +46,7 @@ struct BandedMethod::Fold : FoldHooks {
   }
 
   void leave(std::uint32_t chain, std::uint32_t parent, const Factor& factor) {
-    const FactorRows::Mix mix = rows.mix(factor);
-    const float* first = tables.rows.row(mix.row[0]);
-    if (mix.count == 1)
-      add_product(n, carrier(parent), carrier(chain), first);
-    else
-      add_product(n, carrier(parent), carrier(chain), first, mix.weight[0],
-                  tables.rows.row(mix.row[1]), mix.weight[1]);
+    add_over(n, carrier(parent), carrier(chain), tables.rows, rows.mix(factor));
   }
 };
 

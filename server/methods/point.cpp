@@ -3,30 +3,24 @@
 #include "common/color/xyz.h"
 #include "common/scene/settings.h"
 #include "server/methods/banded.h"
+#include "server/methods/direct_errors.h"
 #include "server/methods/fitted.h"
 
 namespace metamer {
+namespace {
 
-Wavelengths wavelengths_of_point(const v1::Method& method) {
-  return method.point().has_fitted() ? observer_wavelengths() : *point_wavelengths(method.point());
-}
-
-void plan_point(const RenderScene& scene, const v1::Settings& settings, v1::Plan& plan) {
-  if (settings.method().point().has_fitted()) return plan_fitted(scene, settings, plan);
-  plan.set_bands(static_cast<std::uint32_t>(wavelengths_of_point(settings.method()).size()));
-}
-
-std::unique_ptr<Method> make_point(const v1::Plan& plan, const RenderScene& scene) {
-  if (plan.method().point().has_fitted()) return make_fitted(plan, scene);
-  const Wavelengths wavelengths = wavelengths_of_point(plan.method());
-  const ObserverWeights observer = observer_weights(to_observer(plan.observer()), wavelengths);
+std::unique_ptr<Method> make(const Wavelengths& wavelengths, cie::Observer choice,
+                             v1::Point::Lights kind, const RenderScene& scene) {
+  const ObserverWeights observer = observer_weights(choice, wavelengths);
   const std::size_t bands = wavelengths.size();
 
   // Give each light its luminance with these very samples, E[3.2-4].
   BandTable lights(scene.lights.size(), bands);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    auto power =
-        resample(scene.emissions[scene.lights[i].emission], wavelengths.nm(), Outside::zero).values;
+    const Spectrum& emission = scene.emissions[scene.lights[i].emission];
+    auto power = kind == v1::Point::CELLS
+                     ? mean_power(emission, wavelengths)
+                     : resample(emission, wavelengths.nm(), Outside::zero).values;
     const double scale = luminance_scale(observer, power, scene.lights[i].luminance);
     for (double& value : power) value *= scale;
     lights.set(i, power);
@@ -41,6 +35,43 @@ std::unique_ptr<Method> make_point(const v1::Plan& plan, const RenderScene& scen
   for (std::size_t i = 0; i < 3; ++i) xyz.set(i, observer.weights[i]);
   return std::make_unique<BandedMethod>(
       std::move(rows), BandedMethod::Tables{std::move(lights), std::move(values), std::move(xyz)});
+}
+
+double largest(const std::vector<LightError>& errors) {
+  double most = 0;
+  for (const LightError& error : errors) most = std::max({most, error.white, error.material});
+  return most;
+}
+
+v1::Point::Lights better_lights(const Wavelengths& wavelengths, cie::Observer observer,
+                                const RenderScene& scene) {
+  const DirectColors truth(scene, observer);
+  const auto error_of = [&](v1::Point::Lights kind) {
+    return largest(truth.errors(*make(wavelengths, observer, kind, scene)));
+  };
+  const double sampled = error_of(v1::Point::SAMPLES), meant = error_of(v1::Point::CELLS);
+  return meant < sampled ? v1::Point::CELLS : v1::Point::SAMPLES;
+}
+
+}  // namespace
+
+Wavelengths wavelengths_of_point(const v1::Method& method) {
+  return method.point().has_fitted() ? observer_wavelengths() : *point_wavelengths(method.point());
+}
+
+void plan_point(const RenderScene& scene, const v1::Settings& settings, v1::Plan& plan) {
+  if (settings.method().point().has_fitted()) return plan_fitted(scene, settings, plan);
+  const Wavelengths wavelengths = wavelengths_of_point(settings.method());
+  plan.set_bands(static_cast<std::uint32_t>(wavelengths.size()));
+  if (settings.method().point().lights() == v1::Point::BETTER)
+    plan.mutable_method()->mutable_point()->set_lights(
+        better_lights(wavelengths, to_observer(settings.observer()), scene));
+}
+
+std::unique_ptr<Method> make_point(const v1::Plan& plan, const RenderScene& scene) {
+  if (plan.method().point().has_fitted()) return make_fitted(plan, scene);
+  return make(wavelengths_of_point(plan.method()), to_observer(plan.observer()),
+              plan.method().point().lights(), scene);
 }
 
 }  // namespace metamer

@@ -33,48 +33,46 @@ Eigen::Matrix3d rgb_from_xyz() {
 }
 
 /// An observer as a matrix, a column each of X, Y and Z.
-Eigen::MatrixXd sensitivity(const ObserverWeights& observer) {
+Eigen::MatrixXd to_columns(const ObserverWeights& observer) {
   Eigen::MatrixXd matrix(static_cast<Eigen::Index>(observer.weights[0].size()), 3);
   for (std::size_t axis = 0; axis < 3; ++axis)
     matrix.col(static_cast<Eigen::Index>(axis)) = to_vector(observer.weights[axis]);
   return matrix;
 }
 
-Filter make_filter(const RenderScene& scene, const ObserverWeights& observer,
-                   const Wavelengths& wavelengths) {
+/// `nm`: between which surfaces are lines.
+Filter make_filter(const RenderScene& scene, cie::Observer observer,
+                   const std::vector<double>& nm) {
   // The dominant light is the first (4.6.1) of which anything is seen; without any, equal energy.
   Filter filter;
-  const Eigen::VectorXd equal =
-      Eigen::VectorXd::Ones(static_cast<Eigen::Index>(wavelengths.size()));
-  Eigen::VectorXd power = equal;
+  const Eigen::MatrixXd equal = to_columns(under_light(observer, *cie::illuminant("E"), nm));
+  Eigen::MatrixXd lit = equal;
   for (const RenderLight& light : scene.lights) {
-    const auto own =
-        resample(scene.emissions[light.emission], wavelengths.nm(), Outside::zero).values;
-    const double scale = luminance_scale(observer, own, 1);
-    if (!(scale > 0)) continue;
+    const ObserverWeights own = under_light(observer, scene.emissions[light.emission], nm);
+    if (!(to_columns(own).col(1).sum() > 0)) continue;
     filter.dominant = &light;
-    power = scale * to_vector(own);
+    lit = to_columns(own);
     break;
   }
 
   // Take RGB where the light has enough of each of the three, else XYZ.
-  const Eigen::MatrixXd seen = sensitivity(observer);
+  const Eigen::Vector3d white = lit.colwise().sum();
   filter.to_values = rgb_from_xyz();
-  filter.white = filter.to_values * (seen.transpose() * power);
+  filter.white = filter.to_values * white;
   filter.rgb = filter.white.minCoeff() > least_rgb * filter.white.maxCoeff();
   if (!filter.rgb) {
     filter.to_values.setIdentity();
-    filter.white = seen.transpose() * power;
+    filter.white = white;
   }
 
   // Where the light has none of a value, a surface is what it is under equal energy.
-  filter.surface = seen * filter.to_values.transpose();
+  filter.surface = lit * filter.to_values.transpose();
   for (Eigen::Index i = 0; i < 3; ++i) {
-    const bool has = filter.white[i] > least_xyz * filter.white.maxCoeff();
-    if (!has) filter.white[i] = 1;
-    auto column = filter.surface.col(i);
-    column = column.cwiseProduct(has ? power : equal).eval();
-    column /= column.sum();
+    if (!(filter.white[i] > least_xyz * filter.white.maxCoeff())) {
+      filter.white[i] = 1;
+      filter.surface.col(i) = equal * filter.to_values.row(i).transpose();
+    }
+    filter.surface.col(i) /= filter.surface.col(i).sum();
   }
   return filter;
 }
@@ -82,19 +80,22 @@ Filter make_filter(const RenderScene& scene, const ObserverWeights& observer,
 }  // namespace
 
 std::unique_ptr<Method> make_prefilter(const v1::Plan& plan, const RenderScene& scene) {
-  const Wavelengths wavelengths = observer_wavelengths();
-  const ObserverWeights observer = observer_weights(to_observer(plan.observer()), wavelengths);
-  const Filter filter = make_filter(scene, observer, wavelengths);
+  const cie::Observer observer = to_observer(plan.observer());
+  const std::vector<double> nm = surface_edges(scene);
+  const Filter filter = make_filter(scene, observer, nm);
 
   BandTable lights(scene.lights.size(), 3);
-  const Eigen::MatrixXd colors = filter.to_values * sensitivity(observer).transpose() *
-                                 light_columns(scene, observer, wavelengths);
-  for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    lights.set(i, to_list(colors.col(static_cast<Eigen::Index>(i)).cwiseQuotient(filter.white)));
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const RenderLight& light = scene.lights[i];
+    const Xyz xyz = white_of(scene.emissions[light.emission], observer);
+    const Eigen::Vector3d values =
+        filter.to_values * (light.luminance * Eigen::Vector3d(xyz[0], xyz[1], xyz[2]));
+    lights.set(i, to_list(values.cwiseQuotient(filter.white)));
+  }
 
   FactorRows rows(scene);
   BandTable values(rows.size(), 3);
-  rows.for_each(scene, wavelengths.nm(), [&](std::uint32_t row, const std::vector<double>& at) {
+  rows.for_each(scene, nm, [&](std::uint32_t row, const std::vector<double>& at) {
     values.set(row, to_list(filter.surface.transpose() * to_vector(at)));
   });
 
@@ -107,9 +108,7 @@ std::unique_ptr<Method> make_prefilter(const v1::Plan& plan, const RenderScene& 
 }
 
 void plan_prefilter(const RenderScene& scene, const v1::Settings& settings, v1::Plan& plan) {
-  const Wavelengths wavelengths = observer_wavelengths();
-  const ObserverWeights observer = observer_weights(to_observer(settings.observer()), wavelengths);
-  const Filter filter = make_filter(scene, observer, wavelengths);
+  const Filter filter = make_filter(scene, to_observer(settings.observer()), surface_edges(scene));
   const auto say = [&](const std::string& message) {
     v1::Notice* notice = plan.add_notice();
     notice->set_field("settings.method.prefilter");

@@ -6,31 +6,30 @@
 #include "common/color/xyz.h"
 #include "common/scene/settings.h"
 #include "server/methods/banded.h"
+#include "server/methods/scene_spectra.h"
 
 namespace metamer {
 namespace {
 
 /// Linear sRGB of a light of luminance `luminance`, seen directly.
-std::vector<double> light_rgb(const ObserverWeights& observer, const Spectrum& emission,
-                              const std::vector<double>& nm, double luminance) {
-  const auto power = resample(emission, nm, Outside::zero).values;
-  const double scale = luminance_scale(observer, power, luminance);
-  const Xyz xyz = to_xyz(observer, power);
-  const srgb::Rgb rgb = srgb::from_xyz({scale * xyz[0], scale * xyz[1], scale * xyz[2]});
+std::vector<double> light_rgb(cie::Observer observer, const Spectrum& emission, double luminance) {
+  Xyz xyz = white_of(emission, observer);
+  for (double& value : xyz) value *= luminance;
+  const srgb::Rgb rgb = srgb::from_xyz(xyz);
   return {rgb.begin(), rgb.end()};
 }
 
 /// What turns a reflectance into linear sRGB under D65: a list of weights for each of R, G and B.
 /// Those of each sum to 1, so that grey is grey: the tables' D65 and that of sRGB differ in the
 /// fourth digit.
-std::array<std::vector<double>, 3> surface_weights(const ObserverWeights& observer,
+std::array<std::vector<double>, 3> surface_weights(cie::Observer observer,
                                                    const std::vector<double>& nm) {
-  const auto d65 = resample(*cie::illuminant("D65"), nm, Outside::zero).values;
+  const ObserverWeights lit = under_light(observer, *cie::illuminant("D65"), nm);
   std::array<std::vector<double>, 3> weights;
   for (std::vector<double>& own : weights) own.resize(nm.size());
   for (std::size_t i = 0; i < nm.size(); ++i) {
-    const auto& [x, y, z] = observer.weights;
-    const srgb::Rgb rgb = srgb::from_xyz({d65[i] * x[i], d65[i] * y[i], d65[i] * z[i]});
+    const auto& [x, y, z] = lit.weights;
+    const srgb::Rgb rgb = srgb::from_xyz({x[i], y[i], z[i]});
     for (std::size_t channel = 0; channel < 3; ++channel) weights[channel][i] = rgb[channel];
   }
   for (std::vector<double>& own : weights) {
@@ -43,18 +42,17 @@ std::array<std::vector<double>, 3> surface_weights(const ObserverWeights& observ
 }  // namespace
 
 std::unique_ptr<Method> make_rgb(const v1::Plan& plan, const RenderScene& scene) {
-  const Wavelengths wavelengths = observer_wavelengths();
-  const ObserverWeights observer = observer_weights(to_observer(plan.observer()), wavelengths);
-
+  const cie::Observer observer = to_observer(plan.observer());
   BandTable lights(scene.lights.size(), 3);
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    lights.set(i, light_rgb(observer, scene.emissions[scene.lights[i].emission], wavelengths.nm(),
+    lights.set(i, light_rgb(observer, scene.emissions[scene.lights[i].emission],
                             scene.lights[i].luminance));
 
   FactorRows rows(scene);
   BandTable values(rows.size(), 3);
-  const auto weights = surface_weights(observer, wavelengths.nm());
-  rows.for_each(scene, wavelengths.nm(), [&](std::uint32_t row, const std::vector<double>& at) {
+  const std::vector<double> nm = surface_edges(scene);
+  const auto weights = surface_weights(observer, nm);
+  rows.for_each(scene, nm, [&](std::uint32_t row, const std::vector<double>& at) {
     std::vector<double> color;
     for (const std::vector<double>& own : weights)
       color.push_back(std::inner_product(own.begin(), own.end(), at.begin(), 0.0));

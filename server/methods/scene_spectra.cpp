@@ -35,12 +35,21 @@ std::vector<double> to_list(const Eigen::VectorXd& vector) {
   return {vector.data(), vector.data() + vector.size()};
 }
 
+std::vector<double> surface_edges(const RenderScene& scene) {
+  std::vector<const Spectrum*> spectra;
+  for (const Spectrum& property : scene.properties) spectra.push_back(&property);
+  for (const OpticalConstants& constants : scene.constants) {
+    spectra.push_back(&constants.n);
+    spectra.push_back(&constants.k);
+  }
+  return cell_edges(spectra);
+}
+
 Eigen::MatrixXd light_columns(const RenderScene& scene, const ObserverWeights& observer,
                               const Wavelengths& wavelengths) {
   std::vector<Eigen::VectorXd> columns;
   for (const RenderLight& light : scene.lights) {
-    const auto power =
-        resample(scene.emissions[light.emission], wavelengths.nm(), Outside::zero).values;
+    const auto power = mean_power(scene.emissions[light.emission], wavelengths);
     columns.push_back(luminance_scale(observer, power, light.luminance) * to_vector(power));
   }
   return to_matrix(columns, static_cast<Eigen::Index>(wavelengths.size()));
@@ -50,7 +59,7 @@ Eigen::MatrixXd unit_light_columns(const RenderScene& scene, const ObserverWeigh
                                    const Wavelengths& wavelengths) {
   std::vector<Eigen::VectorXd> columns;
   for (const Spectrum& emission : scene.emissions) {
-    const auto power = resample(emission, wavelengths.nm(), Outside::zero).values;
+    const auto power = mean_power(emission, wavelengths);
     const double scale = luminance_scale(observer, power, 1);
     if (scale > 0) columns.push_back(scale * to_vector(power));
   }

@@ -12,6 +12,9 @@ namespace metamer {
 Eigen::VectorXd to_vector(const std::vector<double>& values);
 std::vector<double> to_list(const Eigen::VectorXd& vector);
 
+/// Between which a product of the scene's surface spectra is a line (cell_edges).
+std::vector<double> surface_edges(const RenderScene& scene);
+
 /// The lights with their luminance, E[3.2-4], a column each.
 Eigen::MatrixXd light_columns(const RenderScene& scene, const ObserverWeights& observer,
                               const Wavelengths& wavelengths);

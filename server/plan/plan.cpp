@@ -8,7 +8,6 @@
 #include "server/methods/method.h"
 #include "server/methods/notices.h"
 #include "server/plan/features.h"
-#include "server/plan/missed_light.h"
 #include "server/plan/needs.h"
 
 namespace metamer {
@@ -33,30 +32,9 @@ void list_models(const RenderScene& scene, v1::Plan& plan) {
 /// The white of the dominant light, to which an eye adapts (4.6.1).
 void plan_white(const RenderScene& scene, v1::Observer observer, v1::Plan& plan) {
   if (scene.lights.empty()) return;
-  const Wavelengths all = observer_wavelengths();
   const Spectrum& light = scene.emissions[scene.lights.front().emission];
-  const ObserverWeights lit = under_light(observer_weights(to_observer(observer), all),
-                                          resample(light, all.nm(), Outside::zero).values);
-  const Xyz white = to_xyz(lit, std::vector<double>(all.size(), 1.0));
+  const Xyz white = white_of(light, to_observer(observer));
   if (white[1] > 0) plan.mutable_source_white()->Add(white.begin(), white.end());
-}
-
-/// Says where a spectrum has no data at the method's wavelengths.
-void notice_gaps(const Spectrum& spectrum, const std::string& field, Outside outside,
-                 const Wavelengths& wavelengths, v1::Plan& plan) {
-  const Resampled resampled = resample(spectrum, wavelengths.nm(), outside);
-  const auto say = [&](std::size_t count, const char* side, double end) {
-    if (count == 0) return;
-    v1::Notice* notice = plan.add_notice();
-    notice->set_field(field);
-    char text[160];
-    std::snprintf(text, sizeof text, "%zu of %zu wavelengths lie %s its data (%g nm): %s", count,
-                  wavelengths.size(), side, end,
-                  outside == Outside::zero ? "0 there" : "its end value there");
-    notice->set_message(text);
-  };
-  say(resampled.below, "below", spectrum.nm.front());
-  say(resampled.above, "above", spectrum.nm.back());
 }
 
 /// The objects of which one thing is said, told once however many they are.
@@ -180,23 +158,11 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
   plan.set_spectra(static_cast<std::uint32_t>(scene.emissions.size() + scene.properties.size()));
   plan.set_triangles(scene.triangle_count());
 
-  for (std::size_t i = 0; i < scene.emissions.size(); ++i)
-    notice_gaps(scene.emissions[i], scene.emission_fields[i], Outside::zero, wavelengths, plan);
-  for (std::size_t i = 0; i < scene.properties.size(); ++i)
-    notice_gaps(scene.properties[i], scene.property_fields[i], Outside::hold, wavelengths, plan);
-  for (std::size_t i = 0; i < scene.constants.size(); ++i) {
-    const OpticalConstants& constants = scene.constants[i];
-    notice_gaps(constants.n, scene.constants_fields[i], Outside::hold, wavelengths, plan);
-    if (!constants.k.nm.empty() && constants.k.nm != constants.n.nm)
-      notice_gaps(constants.k, scene.constants_fields[i], Outside::hold, wavelengths, plan);
-  }
   for (const Supported& supported : supporters(settings.method(), capabilities))
     notice_unsupported(needs, supported, plan);
   notice_skipped_faces(scene, plan);
   notice_objects(scene, plan);
   notice_short_end(settings.method(), wavelengths, plan);
-  notice_missed_light(scene, settings, wavelengths, plan);
-  notice_dark_lights(scene, settings, wavelengths, plan);
   list_needs(scene, capabilities, plan);
   return plan;
 }

@@ -7,11 +7,31 @@
 
 namespace metamer {
 
+namespace {
+
+/// In whose cells every spectrum of the scene is a line.
+Wavelengths scene_cells(const RenderScene& scene, cie::Observer observer) {
+  std::vector<const Spectrum*> spectra = with_observer(observer, {});
+  for (const Spectrum& emission : scene.emissions) spectra.push_back(&emission);
+  for (const Spectrum& property : scene.properties) spectra.push_back(&property);
+  for (const OpticalConstants& constants : scene.constants) {
+    spectra.push_back(&constants.n);
+    spectra.push_back(&constants.k);
+  }
+  return cells_of(spectra);
+}
+
+}  // namespace
+
 Reference::Reference(const RenderScene& scene, cie::Observer observer)
-    : observer_(observer_weights(observer, observer_wavelengths())),
-      bands_(observer_wavelengths().size()),
-      factors_(factor_sources(scene), observer_wavelengths().nm()) {
-  const Wavelengths wavelengths = observer_wavelengths();
+    : Reference(scene, observer_weights(observer, scene_cells(scene, observer)),
+                scene_cells(scene, observer)) {}
+
+Reference::Reference(const RenderScene& scene, ObserverWeights observer,
+                     const Wavelengths& wavelengths)
+    : observer_(std::move(observer)),
+      bands_(wavelengths.size()),
+      factors_(factor_sources(scene), wavelengths.nm()) {
   bool has_white = false;
   for (const RenderLight& light : scene.lights) {
     Values power =

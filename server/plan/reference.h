@@ -10,8 +10,9 @@
 
 namespace metamer {
 
-/// What every method is measured against: point sampling at each nm from 360 to 830, in f64. Not
-/// for rendering: it takes its time. Belongs to one thread.
+/// What every method is measured against: the integral from 360 to 830 nm over all that the scene's
+/// spectra say, between whole nanometres too (cells_of), in f64. Not for rendering: it takes its
+/// time. Belongs to one thread.
 class Reference {
  public:
   /// `scene` must outlive it.
@@ -25,6 +26,8 @@ class Reference {
   const Xyz& white() const { return white_; }
 
  private:
+  Reference(const RenderScene& scene, ObserverWeights observer, const Wavelengths& wavelengths);
+
   using Values = std::vector<double>;
   struct Fold;
 

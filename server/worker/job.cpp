@@ -6,6 +6,7 @@
 #include "common/scene/settings.h"
 #include "common/wire/frame.h"
 #include "server/film/factor_sink.h"
+#include "server/plan/color_notices.h"
 #include "server/render/choose.h"
 #include "server/scene/camera_space.h"
 #include "server/scene/compile.h"
@@ -95,7 +96,7 @@ void Job::compile(const v1::CompileJob& message) {
 
   // Plan, and let the daemon decide.
   if (!make_plan(message)) return send_stopped();
-  timing_.set_compile(seconds_since(begun_) - timing_.pilot() -
+  timing_.set_compile(seconds_since(begun_) - timing_.pilot() - timing_.prepare() -
                       (timing_.pilot() > 0 ? timing_.acceleration() : 0));
   v1::WorkerEnvelope planned = envelope();
   *planned.mutable_planned()->mutable_plan() = plan_;
@@ -134,6 +135,9 @@ bool Job::make_plan(const v1::CompileJob& message) {
 
   plan_ = metamer::make_plan(*scene_, settings_, capabilities);
   plan_.set_scene_digest(message.scene_sha256());
+  prepare_method();
+  notice_colors(*scene_, *method_, plan_);
+  notice_ends_of_data(*scene_, plan_);
   plan_.mutable_prediction()->Assign(predictions.begin(), predictions.end());
   if (has_goal) *plan_.mutable_auto_() = goal;
   const auto say = [&](const char* field, const std::string& message) {
@@ -178,15 +182,18 @@ bool Job::build(const std::function<bool()>& prepare) {
   return built;
 }
 
-/// Makes the method's tables, and what the renderer draws by, the first time.
+/// Makes the method's tables, where the choice of the method did not.
+void Job::prepare_method() {
+  if (method_) return;
+  const auto start = Clock::now();
+  method_ = make_method(plan_, *scene_);
+  timing_.set_prepare(seconds_since(start));
+  ++work_;
+}
+
+/// Makes what the renderer draws by, the first time.
 Result<void> Job::prepare() {
   if (prepared_) return {};
-  if (!method_) {
-    const auto start = Clock::now();
-    method_ = make_method(plan_, *scene_);
-    timing_.set_prepare(seconds_since(start));
-    ++work_;
-  }
   if (!build([&] { return renderer_->prepare(stopped_); })) return {};  // stopped
   const auto changed = renderer_->change(plan_, *method_, stopped_);
   prepared_ = changed.has_value();

@@ -70,6 +70,7 @@ class Job {
   void send_last(const v1::WorkerEnvelope& message);
   bool make_plan(const v1::CompileJob& message);
   bool build(const std::function<bool()>& prepare);
+  void prepare_method();
   Result<void> prepare();
   Result<void> draw(const v1::RenderTiles& message, const Film& film);
   void measure_promise(v1::JobDone& done);

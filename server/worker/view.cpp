@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "server/plan/color_notices.h"
 #include "server/plan/plan.h"
 #include "server/worker/problems.h"
 #include "server/worker/view_turns.h"
@@ -104,6 +105,8 @@ bool View::prepare() {
   }
   plan_ = make_plan(scene_.scene(), scene_.settings(), options_.plan_capabilities());
   auto method = make_method(plan_, scene_.scene());
+  notice_colors(scene_.scene(), *method, plan_);
+  notice_ends_of_data(scene_.scene(), plan_);
   auto developer = Developer::make(plan_);
   const Result<void> done = developer ? scene_.renderer().change(plan_, *method, no_end)
                                       : tl::unexpected(developer.error());

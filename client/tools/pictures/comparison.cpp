@@ -8,14 +8,6 @@
 
 namespace metamer::client {
 
-Xyz white_of(const Spectrum& illuminant, cie::Observer observer) {
-  const Wavelengths wavelengths = observer_wavelengths();
-  const ObserverWeights weights = observer_weights(observer, wavelengths);
-  Xyz xyz = to_xyz(weights, resample(illuminant, wavelengths.nm(), Outside::zero).values);
-  for (const double y = xyz[1]; double& value : xyz) value /= y;
-  return xyz;
-}
-
 White srgb_white() { return {"D65 (sRGB)", srgb::to_xyz({1, 1, 1})}; }
 
 tl::expected<PicturePair, std::vector<Problem>> read_pair(const std::array<std::string, 2>& files,

@@ -19,8 +19,6 @@ struct White {
   Xyz xyz;  ///< At Y = 1 unless somebody chose otherwise.
 };
 
-/// X Y Z of an illuminant at Y = 1, summed from 360 to 830 nm by 1 nm.
-Xyz white_of(const Spectrum& illuminant, cie::Observer observer);
 /// R = G = B = 1 of sRGB.
 White srgb_white();
 

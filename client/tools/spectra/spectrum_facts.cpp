@@ -23,11 +23,10 @@ EmissionFacts emission_facts(const Spectrum& light) {
 
 ReflectanceFacts reflectance_facts(const Spectrum& reflectance, const Spectrum& light,
                                    cie::Observer observer) {
-  const Wavelengths wavelengths = fine_wavelengths(light);
-  const ObserverWeights lit = under_light(observer_weights(observer, wavelengths),
-                                          resample(light, wavelengths.nm(), Outside::zero).values);
-  const Xyz white = to_xyz(lit, std::vector<double>(wavelengths.size(), 1.0));
-  const Xyz xyz = to_xyz(lit, resample(reflectance, wavelengths.nm(), Outside::hold).values);
+  const std::vector<double> nm = cell_edges({&reflectance});
+  const ObserverWeights lit = under_light(observer, light, nm);
+  const Xyz white = to_xyz(lit, std::vector<double>(nm.size(), 1.0));
+  const Xyz xyz = to_xyz(lit, resample(reflectance, nm, Outside::hold).values);
   ReflectanceFacts facts{xyz[1], chromaticity(xyz), {}};
   if (*std::min_element(white.begin(), white.end()) > 0) facts.lab = to_lab(xyz, white);
   return facts;

@@ -115,9 +115,7 @@ TEST_F(Argyll, AgreesOnXyzAndLabOfAllTestColours) {
     for (const char* light : {"A", "D50", "D65", "F2", "F7", "F11"}) {
       const std::vector<Seen> theirs = ask(light, word);
       ASSERT_EQ(theirs.size(), 16U) << light;
-      const ObserverWeights lit =
-          under_light(observer_weights(observer, wavelengths),
-                      resample(*cie::illuminant(light), wavelengths.nm(), Outside::zero).values);
+      const ObserverWeights lit = under_light(observer, *cie::illuminant(light), wavelengths.nm());
       const Xyz white = to_xyz(lit, std::vector<double>(wavelengths.size(), 1.0));
       // Both start from samples every 5 nm. Argyll bends a curve through them, we draw straight
       // lines, which cut corners off x̄, ȳ, z̄ and off mercury's lines: measured, that is up to 0.032

@@ -7,6 +7,7 @@
 #include "common/spectral/cie.h"
 #include "server/methods/exact.h"
 #include "server/plan/plan.h"
+#include "tests/server/methods/dense.h"
 #include "tests/server/test_scene.h"
 
 namespace metamer::test {
@@ -38,8 +39,8 @@ std::string booth(const std::string& illuminant) {
 class Reference {
  public:
   explicit Reference(const RenderScene& scene)
-      : nm_(observer_wavelengths().nm()),
-        observer_(observer_weights(cie::Observer::cie_1931_2deg, observer_wavelengths())),
+      : nm_(dense().nm()),
+        observer_(observer_weights(cie::Observer::cie_1931_2deg, dense())),
         light_(resample(scene.emissions[0], nm_, Outside::zero).values) {
     const double scale = luminance_scale(observer_, light_, 1);
     for (double& value : light_) value *= scale;

@@ -7,6 +7,7 @@
 #include "common/color/xyz.h"
 #include "server/methods/exact.h"
 #include "server/plan/plan.h"
+#include "tests/server/methods/dense.h"
 #include "tests/server/methods/methods.h"
 #include "tests/server/test_scene.h"
 
@@ -69,9 +70,10 @@ bool has_notice(const v1::Plan& plan, const std::string& part) {
   return false;
 }
 
-/// The white of a light of luminance 1 as the method's own wavelengths see it.
+/// The white of a light of luminance 1: as a method's own wavelengths see it, or as it is.
 Xyz white_of(const RenderScene& scene, const v1::Method& method) {
-  const Wavelengths wavelengths = method_wavelengths(method);
+  const bool sampled = method.has_point() && !method.point().has_fitted();
+  const Wavelengths wavelengths = sampled ? method_wavelengths(method) : dense();
   const ObserverWeights observer = observer_weights(cie::Observer::cie_1931_2deg, wavelengths);
   auto power = resample(scene.emissions[0], wavelengths.nm(), Outside::zero).values;
   const double scale = luminance_scale(observer, power, 1);

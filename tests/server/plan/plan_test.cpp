@@ -65,23 +65,10 @@ TEST(Plan, FillsInEveryDefault) {
   EXPECT_EQ(defaults.spp(), 16u);
   EXPECT_EQ(defaults.tile_size(), 16u);
   EXPECT_EQ(defaults.threads(), 2u);
-  EXPECT_EQ(defaults.from(), 400);
-  EXPECT_EQ(defaults.to(), 700);
-  EXPECT_EQ(defaults.bands(), 61u);
+  EXPECT_TRUE(defaults.method().has_exact());
+  EXPECT_EQ(defaults.from(), 360);
+  EXPECT_EQ(defaults.to(), 830);
   EXPECT_EQ(defaults.notice_size(), 0);
-}
-
-TEST(Plan, SaysWhereASpectrumHasNoData) {
-  const v1::Plan gaps =
-      plan(scene("spectrum { samples { wavelength: [450, 650] value: [1, 1] } }",
-                 "diffuse { samples { wavelength: [420, 690] value: [0.1, 0.2] } }", ""));
-  ASSERT_EQ(gaps.notice_size(), 4);
-  EXPECT_EQ(gaps.notice(0).field(), "light[0].spectrum");
-  EXPECT_EQ(gaps.notice(0).message(), "10 of 61 wavelengths lie below its data (450 nm): 0 there");
-  EXPECT_EQ(gaps.notice(1).message(), "10 of 61 wavelengths lie above its data (650 nm): 0 there");
-  EXPECT_EQ(gaps.notice(2).field(), "material[0].diffuse");
-  EXPECT_EQ(gaps.notice(2).message(),
-            "4 of 61 wavelengths lie below its data (420 nm): its end value there");
 }
 
 TEST(Plan, SaysWhereUniformWavelengthsEndEarly) {
@@ -90,21 +77,6 @@ TEST(Plan, SaysWhereUniformWavelengthsEndEarly) {
   ASSERT_EQ(plan_of_sevens.notice_size(), 1);
   EXPECT_EQ(plan_of_sevens.notice(0).message(),
             "the last wavelength is 694 nm: 700 nm is no whole number of steps away");
-}
-
-TEST(Plan, SaysWhereASpectrumOfOneSampleIsStretched) {
-  const v1::Plan stretched = plan(scene("spectrum { standard: 'E' }",
-                                        "diffuse { samples { wavelength: 500 value: 0.5 } }", ""));
-  EXPECT_EQ(stretched.notice_size(), 2);
-}
-
-TEST(Plan, SaysThatALightStaysDark) {
-  // A spike between two sample positions: none of its power is seen.
-  const v1::Plan dark =
-      plan(scene("spectrum { samples { wavelength: [501, 502, 503] value: [0, 1, 0] } }", "", ""));
-  ASSERT_GE(dark.notice_size(), 1);
-  EXPECT_EQ(dark.notice(dark.notice_size() - 1).message(),
-            "light \"l\" stays dark: the observer sees nothing of it at these wavelengths");
 }
 
 TEST(Plan, KeepsTheDevelopmentAndTheDominantLightsWhite) {

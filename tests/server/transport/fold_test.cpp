@@ -19,6 +19,7 @@
 #include "server/plan/plan.h"
 #include "server/plan/reference.h"
 #include "server/transport/factor_rows.h"
+#include "tests/server/methods/dense.h"
 #include "tests/server/methods/methods.h"
 #include "tests/server/test_scene.h"
 #include "tests/server/transport/closed_form.h"
@@ -48,9 +49,9 @@ std::vector<double> banded(const Gather& gather, std::size_t bands, Light light,
   return sum;
 }
 
-/// At every nm.
+/// By a sum over narrow cells.
 Xyz spectral(const RenderScene& scene, const Gather& gather) {
-  const Wavelengths wavelengths = observer_wavelengths();
+  static const Wavelengths wavelengths = dense();
   const ObserverWeights observer = observer_weights(cie::Observer::cie_1931_2deg, wavelengths);
   return to_xyz(
       observer,

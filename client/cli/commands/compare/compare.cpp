@@ -74,7 +74,7 @@ Result<White> find_white(const CompareOptions& options) {
   const std::string& name = options.white.empty() ? options.under : options.white;
   if (name.empty()) return client::srgb_white();
   return find_illuminant("--white", name).transform([&](const Spectrum* found) {
-    return White{name, client::white_of(*found, observer)};
+    return White{name, metamer::white_of(*found, observer)};
   });
 }
 

@@ -1,0 +1,93 @@
+#include "common/spectral/cells.h"
+#include "common/transport/fold.h"
+#include "server/methods/band_loops.h"
+#include "server/methods/exact_tables.h"
+
+namespace metamer {
+namespace {
+
+class ExactBands : public Method {
+ public:
+  ExactBands(ExactTables tables, BandTable powers, BandTable xyz)
+      : tables_(std::move(tables)), powers_(std::move(powers)), xyz_(std::move(xyz)) {}
+
+  struct Carriers : Scratch {
+    std::vector<float> values;
+  };
+  std::unique_ptr<Scratch> make_scratch() const override { return std::make_unique<Carriers>(); }
+
+  std::array<float, 3> resolve(const Gather& gather, float scale, Scratch& scratch) const override {
+    std::vector<float>& carriers = static_cast<Carriers&>(scratch).values;
+    const std::size_t chains = gather.chains().size();
+    carriers.assign(chains > 1 ? chains * xyz_.stride() : 0, 0.0f);
+    Fold carrier{{}, *this, carriers.data(), {}};
+    fold(gather, carrier);
+    std::array<float, 3> xyz = carrier.xyz;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (chains > 1) xyz[axis] += band_loops::dot(xyz_.stride(), carriers.data(), xyz_.row(axis));
+      xyz[axis] *= scale;
+    }
+    return xyz;
+  }
+
+  DirectTables direct_tables() const override { return tables_.direct_tables(); }
+
+ private:
+  struct Fold : FoldHooks {
+    const ExactBands& method;
+    float* carriers;
+    std::array<float, 3> xyz;
+
+    float* carrier(std::uint32_t chain) const { return carriers + chain * method.xyz_.stride(); }
+
+    void lobes(std::uint32_t chain, std::uint32_t material, std::span<const LobeWeights> weights) {
+      if (chain == 0) return lobes_as_terms(*this, chain, material, weights);
+      const FactorRows& rows = method.tables_.rows;
+      const BandTable& values = method.tables_.values;
+      for (std::size_t light = 0; light < weights.size(); ++light)
+        band_loops::add_lobes(method.xyz_.stride(), carrier(chain), method.powers_.row(light),
+                              values.row(rows.diffuse(material)),
+                              values.row(rows.specular(material)), weights[light]);
+    }
+
+    void term(std::uint32_t chain, std::uint32_t light, const FactorNode& factor, float weight) {
+      const std::uint32_t row = method.tables_.rows.row(factor);
+      if (chain > 0)
+        return band_loops::add_term(method.xyz_.stride(), carrier(chain), method.powers_.row(light),
+                                    method.tables_.values.row(row), weight);
+      const float* color = method.tables_.direct_color(row) + 3 * light;
+      for (std::size_t axis = 0; axis < 3; ++axis) xyz[axis] += weight * color[axis];
+    }
+
+    void leave(std::uint32_t chain, std::uint32_t parent, const Factor& factor) {
+      band_loops::add_over(method.xyz_.stride(), carrier(parent), carrier(chain),
+                           method.tables_.values, method.tables_.rows.mix(factor));
+    }
+  };
+
+  ExactTables tables_;
+  BandTable powers_;  ///< A row a light.
+  BandTable xyz_;     ///< Three rows.
+};
+
+}  // namespace
+
+std::unique_ptr<Method> make_exact_bands(ExactTables tables, const RenderScene& scene,
+                                         cie::Observer observer) {
+  // Each band is a share of light; widths would only be divided by and multiplied with again.
+  const std::size_t bands = tables.nm.size();
+  const Wavelengths wavelengths = Wavelengths::weighted(tables.nm, std::vector<double>(bands, 1.0));
+  const ObserverWeights eye = observer_weights(observer, wavelengths);
+  BandTable powers(scene.lights.size(), bands), xyz(3, bands);
+  for (std::size_t axis = 0; axis < 3; ++axis) xyz.set(axis, eye.weights[axis]);
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const RenderLight& light = scene.lights[i];
+    std::vector<double> power = mean_power(scene.emissions[light.emission], wavelengths);
+    const double scale = luminance_scale(eye, power, light.luminance);
+    for (double& value : power) value *= scale;
+    powers.set(i, power);
+  }
+  return std::make_unique<ExactBands>(std::move(tables), std::move(powers), std::move(xyz));
+}
+
+}  // namespace metamer
