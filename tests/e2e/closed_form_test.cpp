@@ -87,7 +87,8 @@ std::string scene_text(const std::string& material, const std::string& light) {
          samples(paint) + " } " + material +
          " }\n"
          "object { material: \"paint\" quad { corner { x: -1 y: -1 } u { x: 2 } v { y: 2 } } }\n"
-         "settings { width: 9 height: 9 spp: 4 }\n";
+         "settings { width: 9 height: 9 spp: 4 method { point { from: 400 to: 700 step: 5 lights: "
+         "SAMPLES } } }\n";
 }
 
 std::vector<double> uniform(double from, double to, double step) {

@@ -66,7 +66,8 @@ std::string card(double degrees, const std::string& material) {
          "0.5 " +
          material +
          " } object { name: 'o' material: 'm' quad { corner { x: -1 y: -1 } u { x: 2 } v { y: 2 } "
-         "} } settings { width: 1 height: 1 spp: 1 method { point { from: 400 to: 700 step: 10 } } "
+         "} } settings { width: 1 height: 1 spp: 1 method { point { from: 400 to: 700 step: 10 "
+         "lights: SAMPLES } } "
          "}";
 }
 

@@ -9,6 +9,13 @@ v1::Method uniform(double from, double to, double step) {
   method.mutable_point()->set_from(from);
   method.mutable_point()->set_to(to);
   method.mutable_point()->set_step(step);
+  method.mutable_point()->set_lights(v1::Point::SAMPLES);
+  return method;
+}
+
+v1::Method cells(double from, double to, double step) {
+  v1::Method method = uniform(from, to, step);
+  method.mutable_point()->set_lights(v1::Point::CELLS);
   return method;
 }
 
@@ -47,13 +54,15 @@ v1::Method exact() {
 v1::Method listed(const std::vector<double>& nm) {
   v1::Method method;
   method.mutable_point()->mutable_wavelengths()->Assign(nm.begin(), nm.end());
+  method.mutable_point()->set_lights(v1::Point::SAMPLES);
   return method;
 }
 
 std::vector<v1::Method> all_methods() {
   std::vector<v1::Method> all{listed({555}),           listed({450, 600}),
                               listed({450, 550, 620}), uniform(400, 700, 5),
-                              uniform(360, 830, 1),    uniform(400, 700, 0.075)};  // 4001 samples
+                              uniform(360, 830, 1),    uniform(400, 700, 0.075),  // 4001 samples
+                              cells(360, 830, 10)};
   for (const MethodEntry& entry : method_entries())  // those without parameters
     if (!entry.fill) all.push_back(default_method(entry));
   for (const std::uint32_t count : {1u, 2u, 3u, 8u, 64u}) all.push_back(fitted(count));

@@ -7,7 +7,9 @@
 
 namespace metamer::test {
 
+/// Lights are sampled, as in the source.
 v1::Method uniform(double from, double to, double step);
+v1::Method cells(double from, double to, double step);
 v1::Method listed(const std::vector<double>& nm);
 v1::Method fitted(std::uint32_t count);
 v1::Method linear(std::uint32_t bases, v1::Linear::Weighting weighting = v1::Linear::NONE,

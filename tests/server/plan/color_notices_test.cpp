@@ -100,6 +100,7 @@ TEST(Point, ChoosesWhatLightsAreByTheSmallerError) {
     const RenderScene made = compile_text(scene(light, grey));
     v1::Settings settings;
     *settings.mutable_method() = uniform(400, 700, 5);
+    settings.mutable_method()->mutable_point()->clear_lights();
     return make_plan(made, with_defaults(settings), {.threads = 1}).method().point().lights();
   };
   EXPECT_EQ(lights(sodium), v1::Point::CELLS);
