@@ -52,13 +52,9 @@ TracedPixels TracingProbe::trace(const v1::Plan& plan, PixelRun run,
   return pixels;
 }
 
-double TracingProbe::least_seconds(const v1::Plan& plan, double pixel_seconds) const {
-  return pixel_seconds * plan.width() * plan.height() / std::max(1u, plan.threads());
-}
-
 double TracingProbe::picture_seconds(const v1::Plan& plan, const Method&, double pixel_seconds,
                                      const std::atomic<bool>&, std::atomic<std::uint64_t>&) {
-  return least_seconds(plan, pixel_seconds);
+  return pixel_seconds * plan.width() * plan.height() / std::max(1u, plan.threads());
 }
 
 }  // namespace metamer::cpu

@@ -36,7 +36,6 @@ class TracingProbe : public Probe {
   }
   TracedPixels trace(const v1::Plan& plan, PixelRun run, const std::atomic<bool>& stopped,
                      std::atomic<std::uint64_t>& work) const override;
-  double least_seconds(const v1::Plan& plan, double pixel_seconds) const override;
   double picture_seconds(const v1::Plan& plan, const Method& method, double pixel_seconds,
                          const std::atomic<bool>& stopped,
                          std::atomic<std::uint64_t>& work) override;

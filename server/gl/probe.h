@@ -20,8 +20,6 @@ class DrawingProbe : public Probe {
                      std::atomic<std::uint64_t>& work) const override {
     return tracing_.trace(plan, run, stopped, work);
   }
-  /// Not known.
-  double least_seconds(const v1::Plan&, double) const override { return 0; }
   double picture_seconds(const v1::Plan& plan, const Method& method, double pixel_seconds,
                          const std::atomic<bool>& stopped,
                          std::atomic<std::uint64_t>& work) override;

@@ -2,6 +2,7 @@
 
 #include "common/transport/fold.h"
 #include "server/methods/band_loops.h"
+#include "server/methods/costs.h"
 
 namespace metamer {
 
@@ -19,8 +20,18 @@ std::unique_ptr<Method::Scratch> BandedMethod::make_scratch() const {
   return std::make_unique<Carriers>();
 }
 
-BandedMethod::BandedMethod(FactorRows rows, Tables tables)
-    : rows_(std::move(rows)), tables_(std::move(tables)) {}
+BandedMethod::BandedMethod(FactorRows rows, Tables tables, double learned)
+    : rows_(std::move(rows)), tables_(std::move(tables)), learned_(learned) {}
+
+double BandedMethod::preparation_cost() const {
+  return learned_ + costs::table(tables_.rows.rows(), tables_.rows.bands());
+}
+
+double BandedMethod::resolve_cost(const Gather& gather) const {
+  return costs::terms(gather) * costs::loop(tables_.xyz.stride()) +
+         costs::chains(gather) * 2 * costs::loop(tables_.xyz.stride()) +
+         3 * costs::loop(tables_.xyz.stride());
+}
 
 /// Reflects each light at the end of a chain, and carries it back to the eye.
 struct BandedMethod::Fold : FoldHooks {

@@ -15,17 +15,21 @@ class BandedMethod : public Method {
     BandTable rows;    ///< A row for each of FactorRows.
     BandTable xyz;     ///< Three rows, the weights of X, Y and Z.
   };
-  BandedMethod(FactorRows rows, Tables tables);
+  /// `learned`: what the choice of the bands has cost (preparation_cost).
+  BandedMethod(FactorRows rows, Tables tables, double learned = 0);
 
   std::unique_ptr<Scratch> make_scratch() const override;
   std::array<float, 3> resolve(const Gather& gather, float scale, Scratch& scratch) const override;
   DirectTables direct_tables() const override;
+  double preparation_cost() const override;
+  double resolve_cost(const Gather& gather) const override;
 
  private:
   struct Fold;
 
   FactorRows rows_;
   Tables tables_;
+  double learned_;
 };
 
 }  // namespace metamer

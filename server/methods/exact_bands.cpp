@@ -1,6 +1,7 @@
 #include "common/spectral/cells.h"
 #include "common/transport/fold.h"
 #include "server/methods/band_loops.h"
+#include "server/methods/costs.h"
 #include "server/methods/exact_tables.h"
 
 namespace metamer {
@@ -31,6 +32,11 @@ class ExactBands : public Method {
   }
 
   DirectTables direct_tables() const override { return tables_.direct_tables(); }
+  double preparation_cost() const override { return tables_.preparation_cost(); }
+  double resolve_cost(const Gather& gather) const override {
+    if (gather.chains().size() == 1) return costs::terms(gather) * 3;
+    return (costs::terms(gather) + 2 * costs::chains(gather) + 3) * costs::loop(xyz_.stride());
+  }
 
  private:
   struct Fold : FoldHooks {

@@ -1,6 +1,7 @@
 #include <unordered_map>
 
 #include "common/transport/fold.h"
+#include "server/methods/costs.h"
 #include "server/methods/exact_tables.h"
 
 namespace metamer {
@@ -57,6 +58,10 @@ class ExactSignatures : public Method {
   }
 
   DirectTables direct_tables() const override { return tables_.direct_tables(); }
+  double preparation_cost() const override { return tables_.preparation_cost(); }
+  double resolve_cost(const Gather& gather) const override {
+    return costs::terms(gather) * 3 + costs::chains(gather) * 4 * costs::lookup;
+  }
 
  private:
   /// Names the products of each chain, and sums what their signatures are worth.

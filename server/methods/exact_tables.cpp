@@ -1,6 +1,7 @@
 #include "server/methods/exact_tables.h"
 
 #include "server/methods/band_loops.h"
+#include "server/methods/costs.h"
 #include "server/methods/scene_spectra.h"
 
 namespace metamer {
@@ -28,6 +29,11 @@ ExactTables::ExactTables(const RenderScene& scene, cie::Observer observer)
 void ExactTables::measure(const float* product, std::uint32_t row, float* xyz) const {
   for (std::size_t i = 0; i < 3 * lights; ++i)
     xyz[i] = band_loops::dot(values.stride(), product, values.row(row), sensors.row(i));
+}
+
+double ExactTables::preparation_cost() const {
+  return costs::table(rows.size(), nm.size()) +
+         static_cast<double>(3 * rows.size() * lights) * costs::loop(values.stride());
 }
 
 /// Each signature is X Y Z already.

@@ -17,6 +17,7 @@ struct ExactTables {
   /// The same of a row by itself.
   const float* direct_color(std::uint32_t row) const { return &direct[row * lights * 3]; }
   DirectTables direct_tables() const;
+  double preparation_cost() const;
 
   FactorRows rows;
   std::vector<double> nm;  ///< Of the bands.

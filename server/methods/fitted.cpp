@@ -212,12 +212,16 @@ std::unique_ptr<Method> make_fitted(const v1::Plan& plan, const RenderScene& sce
   rows.for_each(scene, nm,
                 [&](std::uint32_t row, const std::vector<double>& at) { values.set(row, at); });
 
-  const Eigen::MatrixXd weights = fit_weights(make_training_set(scene, choice), chosen);
+  const TrainingSet set = make_training_set(scene, choice);
+  const Eigen::MatrixXd weights = fit_weights(set, chosen);
   BandTable xyz(3, nm.size());
   for (std::size_t axis = 0; axis < 3; ++axis)
     xyz.set(axis, to_list(weights.row(static_cast<Index>(axis)).transpose()));
+  // Most of it is three products of the training set's columns with themselves.
+  const double learned = 1e7 + 4e4 * static_cast<double>(set.spectra.cols());
   return std::make_unique<BandedMethod>(
-      std::move(rows), BandedMethod::Tables{std::move(lights), std::move(values), std::move(xyz)});
+      std::move(rows), BandedMethod::Tables{std::move(lights), std::move(values), std::move(xyz)},
+      learned);
 }
 
 }  // namespace metamer

@@ -6,6 +6,7 @@
 #include "common/scene/settings.h"
 #include "common/transport/fold.h"
 #include "server/methods/banded.h"
+#include "server/methods/costs.h"
 #include "server/methods/notices.h"
 #include "server/methods/scene_spectra.h"
 
@@ -57,6 +58,17 @@ class LinearMethod : public Method {
             .sensors = tables_.xyz.packed(),
             .lights = {},
             .observer = {}};
+  }
+
+  /// Most of it is the decomposition of a matrix of 471 rows.
+  double preparation_cost() const override {
+    return 6e7 + costs::table(rows_.size(), observer_wavelengths().size()) *
+                     static_cast<double>(bases_ + lights_) / 4;
+  }
+  double resolve_cost(const Gather& gather) const override {
+    return (costs::terms(gather) + 2 * static_cast<double>(bases_) * costs::chains(gather)) *
+               costs::loop(stride()) +
+           3 * costs::loop(bases_);
   }
 
  private:

@@ -14,7 +14,7 @@ namespace {
 constexpr double tolerance_margin = 0.8;
 /// A prediction is made on a machine that does other things as well.
 constexpr double deadline_margin = 0.8;
-/// Times that differ by no more are the same.
+/// Costs that differ by no more are the same.
 constexpr double noise = 0.05;
 /// A look at one more method may cost this share of the picture.
 constexpr double worth_a_look = 0.01;
@@ -30,13 +30,17 @@ Predicted* most_accurate(std::vector<Predicted>& all, const Fits& fits) {
   return best;
 }
 
+using Price = double (*)(const Predicted&);
+double counted(const Predicted& one) { return one.cost; }
+double measured(const Predicted& one) { return one.seconds(); }
+
 /// Of those that cost about the same, the most accurate one.
-Predicted* cheapest(std::vector<Predicted>& all, const Fits& fits) {
+Predicted* cheapest(std::vector<Predicted>& all, const Fits& fits, Price price) {
   double least = std::numeric_limits<double>::infinity();
   for (const Predicted& one : all)
-    if (!one.rejected && fits(one)) least = std::min(least, one.seconds());
+    if (!one.rejected && fits(one)) least = std::min(least, price(one));
   return most_accurate(
-      all, [&](const Predicted& one) { return fits(one) && one.seconds() <= (1 + noise) * least; });
+      all, [&](const Predicted& one) { return fits(one) && price(one) <= (1 + noise) * least; });
 }
 
 Choice conclude(std::vector<Predicted>& all, Predicted* best, std::string objection) {
@@ -68,13 +72,12 @@ Choice keep_tolerance(Predictor& predictor, const std::atomic<bool>& stopped, do
   const std::vector<v1::Method> methods = candidates();
   for (std::uint32_t round = 0;; ++round) {
     // Look on while nothing fits, or while that costs next to nothing and could save more.
-    Predicted* best = cheapest(all, fits);
-    while (all.empty() ||
-           (all.size() < methods.size() && !stopped &&
-            (!best || (all.back().took < worth_a_look * best->seconds() &&
-                       best->seconds() - predictor.floor_seconds() > all.back().took)))) {
+    Predicted* best = cheapest(all, fits, counted);
+    while (all.empty() || (all.size() < methods.size() && !stopped &&
+                           (!best || (all.back().look < worth_a_look * best->cost &&
+                                      best->cost - predictor.trace_cost() > all.back().look)))) {
       all.push_back(predictor.predict(methods[all.size()]));
-      best = cheapest(all, fits);
+      best = cheapest(all, fits, counted);
     }
 
     // Nothing fits with a margin: the best of those that the pilot's pixels do not speak against.
@@ -112,7 +115,8 @@ Choice keep_deadline(Predictor& predictor, const std::atomic<bool>& stopped, dou
     best = most_accurate(all, fits);
   }
   if (best) return conclude(all, best, {});
-  best = cheapest(all, [](const Predicted&) { return true; });
+  best = cheapest(
+      all, [](const Predicted&) { return true; }, measured);
   return conclude(all, best,
                   "no method keeps to a deadline of " + number(deadline) +
                       " s; the cheapest one takes about " + number(elapsed() + best->seconds()) +

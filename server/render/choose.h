@@ -16,7 +16,8 @@ struct Choice {
 /// With a tolerance, the cheapest method that keeps to it: on the pilot's pixels, among the scene's
 /// colours, and on pixels that had no part in the choice. With a deadline, the most accurate one
 /// that keeps to it, where `elapsed` seconds are spent already. Looks on only while that can save
-/// more time than it takes.
+/// more than it takes. A tolerance is kept by counted costs (Method::resolve_cost), so the choice
+/// is the same on every machine at any load; a deadline by measured ones.
 Choice choose(const PilotScene& pilot, const v1::Goal& goal, double elapsed);
 
 /// The predictions of all candidates(), for those who want to know; `method` among them, marked as

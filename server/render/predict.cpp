@@ -19,6 +19,24 @@ v1::Method any_method() {
   return method;
 }
 
+/// A ray on one core, ns: what Embree takes for a scene of some hundred triangles.
+constexpr double ray_cost = 500;
+
+/// Rays to the surfaces, and from each to each light.
+double mean_rays(const PilotPixels& pixels, const v1::Plan& plan) {
+  double chains = 0;
+  for (const Gather& gather : pixels.gathers) chains += static_cast<double>(gather.chains().size());
+  const double depth =
+      pixels.gathers.empty() ? 1 : chains / static_cast<double>(pixels.gathers.size());
+  return plan.spp() * (1.0 + plan.lights()) * depth;
+}
+
+double mean_resolve_cost(const Method& method, const PilotPixels& pixels) {
+  double sum = 0;
+  for (const Gather& gather : pixels.gathers) sum += method.resolve_cost(gather);
+  return sum / static_cast<double>(std::max<std::size_t>(1, pixels.gathers.size()));
+}
+
 /// Pixels that no prediction has seen: as many again as the pilot has, twice.
 PixelRun fresh_run(const v1::Plan& plan, std::uint32_t round) {
   const std::uint32_t count = pilot_count(plan);
@@ -48,7 +66,8 @@ Predictor::Predictor(const PilotScene& pilot)
       reference_(pilot.scene, to_observer(plan_.observer())),
       pixels_(trace_pixels(pilot.probe, plan_, {0, pilot_count(plan_)}, reference_, pilot.stopped,
                            pilot.work)),
-      colors_(scene_colors(pilot.scene, reference_)) {}
+      colors_(scene_colors(pilot.scene, reference_)),
+      trace_cost_(mean_rays(pixels_, plan_) * ray_cost * plan_.width() * plan_.height()) {}
 
 Predicted Predictor::predict(const v1::Method& method) {
   const auto start = Clock::now();
@@ -77,6 +96,11 @@ Predicted Predictor::predict(const v1::Method& method) {
   prediction.set_bound(summarize(color_errors(*predicted.method, colors_,
                                               {0, colors_.gathers.size()}, white, *scratch))
                            .maximum());
+  const double resolve_cost = mean_resolve_cost(*predicted.method, pixels_);
+  predicted.cost = trace_cost_ + predicted.method->preparation_cost() +
+                   resolve_cost * plan.width() * plan.height();
+  predicted.look = predicted.method->preparation_cost() +
+                   resolve_cost * static_cast<double>(count + colors_.gathers.size());
   ++pilot_.work;
   predicted.took = seconds_since(start);
   return predicted;

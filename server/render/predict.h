@@ -22,6 +22,8 @@ struct Predicted {
   v1::Prediction prediction;
   std::unique_ptr<Method> method;
   double took = 0;        ///< Seconds that the prediction cost.
+  double cost = 0;        ///< Of the whole picture, counted: ns of one core (Method::resolve_cost).
+  double look = 0;        ///< What the prediction cost, counted likewise.
   bool rejected = false;  ///< Fresh pixels showed more than the pilot did.
 
   double seconds() const { return prediction.prepare() + prediction.render(); }
@@ -40,14 +42,15 @@ class Predictor {
   /// The error on pixels that had no part in predictions; another `round`, other pixels.
   v1::ColorError check(const Method& method, std::uint32_t round);
 
-  /// Seconds that any method takes: those of the rays.
-  double floor_seconds() const { return pilot_.probe.least_seconds(plan_, pixels_.trace_seconds); }
+  /// The counted cost of the picture's rays, which any method has.
+  double trace_cost() const { return trace_cost_; }
 
  private:
   const PilotScene& pilot_;
   v1::Plan plan_;
   Reference reference_;
   PilotPixels pixels_, colors_;
+  double trace_cost_;
 };
 
 /// A plan's promise after its picture was rendered: the error on pixels that had no part in the

@@ -36,10 +36,6 @@ class Probe {
   virtual TracedPixels trace(const v1::Plan& plan, PixelRun run, const std::atomic<bool>& stopped,
                              std::atomic<std::uint64_t>& work) const = 0;
 
-  /// Seconds that the plan's picture takes by any method, where one thread of the CPU traces a
-  /// pixel in `pixel_seconds`: no more than it is known to be.
-  virtual double least_seconds(const v1::Plan& plan, double pixel_seconds) const = 0;
-
   /// Seconds that the plan's picture takes by this method, where one thread of the CPU makes a
   /// pixel by it in `pixel_seconds`. Infinite where it can't be drawn.
   virtual double picture_seconds(const v1::Plan& plan, const Method& method, double pixel_seconds,

@@ -10,7 +10,6 @@ class FakeProbe : public Probe {
                      std::atomic<std::uint64_t>&) const override {
     return {};
   }
-  double least_seconds(const v1::Plan&, double) const override { return 0; }
   double picture_seconds(const v1::Plan&, const Method&, double, const std::atomic<bool>&,
                          std::atomic<std::uint64_t>&) override {
     return 1;
