@@ -122,18 +122,30 @@ Result<void> add_positions(const Overrides& overrides, Look& look) {
 }
 
 /// For a method that is point sampling, or will be as there is neither another nor a goal.
-Result<void> check_multi_pass(const v1::Settings& settings) {
+Result<void> check_point(const v1::Settings& settings, const std::string& option) {
   const v1::Method& method = settings.method();
   const bool unset = method.method_case() == v1::Method::METHOD_NOT_SET;
   if (method.has_point() || (unset && !method.has_auto_() && !settings.has_goal())) return {};
-  return problem("--multi-pass is for --method point");
+  return problem(option + " is for --method point");
 }
 
 Result<void> add_multi_pass(const Overrides& overrides, Look& look) {
   if (!overrides.multi_pass) return {};
-  if (Result<void> checked = check_multi_pass(look.settings); !checked) return checked;
+  if (Result<void> checked = check_point(look.settings, "--multi-pass"); !checked) return checked;
   look.settings.mutable_method()->mutable_point()->set_multi_pass(true);
   look.set("method.point.multi_pass", "--multi-pass");
+  return {};
+}
+
+Result<void> add_point_lights(const Overrides& overrides, Look& look) {
+  if (!overrides.point_lights) return {};
+  if (Result<void> checked = check_point(look.settings, "--point-lights"); !checked) return checked;
+  const auto lights = client::value_named(*overrides.point_lights, "way to take lights",
+                                          *v1::Point::Lights_descriptor());
+  if (!lights) return problem("--point-lights: " + lights.error().message);
+  look.settings.mutable_method()->mutable_point()->set_lights(
+      static_cast<v1::Point::Lights>(*lights));
+  look.set("method.point.lights", "--point-lights");
   return {};
 }
 
@@ -157,7 +169,7 @@ Result<void> add_goal(const Overrides& overrides, Look& look) {
   if (overrides.tolerance && overrides.deadline)
     return problem("--tolerance and --deadline exclude each other");
   if (overrides.method.value_or("auto") != "auto" || overrides.samples || overrides.wavelengths ||
-      overrides.bases || overrides.fitted || overrides.multi_pass)
+      overrides.bases || overrides.fitted || overrides.multi_pass || overrides.point_lights)
     return problem(std::string(option) + " is for --method auto");
   v1::Goal& goal = *look.settings.mutable_goal();
   if (overrides.tolerance) {
@@ -261,8 +273,8 @@ Result<void> add_numbers(const Overrides& overrides, Look& look) {
 
 Result<Look> look_of(const Overrides& overrides) {
   Look look;
-  for (const auto add : {add_method, add_positions, add_multi_pass, add_goal, add_size, add_words,
-                         add_development, add_lights, add_numbers})
+  for (const auto add : {add_method, add_positions, add_multi_pass, add_point_lights, add_goal,
+                         add_size, add_words, add_development, add_lights, add_numbers})
     if (Result<void> added = add(overrides, look); !added)
       return tl::unexpected(std::move(added.error()));
   return look;
@@ -273,9 +285,12 @@ Result<std::vector<Replaced>> apply(const Overrides& overrides, v1::Scene& scene
   if (!look) return tl::unexpected(std::move(look.error()));
   const bool chosen =
       overrides.method || overrides.samples || overrides.wavelengths || overrides.fitted;
-  if (overrides.multi_pass && !chosen)
-    if (Result<void> checked = check_multi_pass(scene.settings()); !checked)
-      return tl::unexpected(std::move(checked.error()));
+  for (const auto& [given, option] :
+       {std::pair{overrides.multi_pass, "--multi-pass"},
+        std::pair{overrides.point_lights.has_value(), "--point-lights"}})
+    if (given && !chosen)
+      if (Result<void> checked = check_point(scene.settings(), option); !checked)
+        return tl::unexpected(std::move(checked.error()));
   auto replaced = client::apply(*look, scene);
   // What can be wrong by now is a light's name.
   if (!replaced) return problem("--light: " + replaced.error().message);
@@ -284,7 +299,8 @@ Result<std::vector<Replaced>> apply(const Overrides& overrides, v1::Scene& scene
 
 bool choose_a_method(const Overrides& overrides) {
   return overrides.method || overrides.samples || overrides.wavelengths || overrides.fitted ||
-         overrides.multi_pass || overrides.bases || overrides.tolerance || overrides.deadline;
+         overrides.multi_pass || overrides.point_lights || overrides.bases || overrides.tolerance ||
+         overrides.deadline;
 }
 
 }  // namespace metamer::cli

@@ -37,6 +37,9 @@ void declare_overrides(Overrides& overrides, Options& options) {
   add("--fitted", &overrides.fitted, "point at so many nm, 1 to 64, that are chosen for the scene");
   add("--multi-pass", &overrides.multi_pass,
       "point by the gl backend, drawing everything anew for each four wavelengths");
+  add("--point-lights", &overrides.point_lights,
+      "what point takes lights for: samples, the power at each nm; cells, the mean around it; or "
+      "better, the more accurate of both");
   add("--bases", &overrides.bases, "linear with so many basis functions, 1 to 16");
   add("--tolerance", &overrides.tolerance,
       "auto: the cheapest method whose ΔE00 against the 1 nm reference stays below this");

@@ -26,18 +26,19 @@ struct DevelopmentOptions {
 
 /// What the command line says instead of the scene's own settings, as written.
 struct Overrides {
-  std::optional<std::string> backend;      ///< "cpu", "gl"
-  std::optional<std::string> method;       ///< A name in v1::Method: "point", "rgb".
-  std::optional<std::string> samples;      ///< "400:700:5"
-  std::optional<std::string> wavelengths;  ///< "400,436,546,700"
-  std::optional<std::uint32_t> fitted;     ///< Of point: so many wavelengths for the scene.
-  bool multi_pass = false;                 ///< Of point, by the gl backend.
-  std::optional<std::string> size;         ///< "640x480"
-  std::optional<std::string> observer;     ///< "cie-1931-2deg", "cie-1964-10deg"
-  std::optional<std::string> shading;      ///< "phong", "constant", "gouraud", "quadratic"
-  std::optional<std::uint32_t> bases;      ///< Of linear.
-  std::optional<double> tolerance;         ///< Of auto: ΔE00.
-  std::optional<std::string> deadline;     ///< Of auto: "2s", "2"
+  std::optional<std::string> backend;       ///< "cpu", "gl"
+  std::optional<std::string> method;        ///< A name in v1::Method: "point", "rgb".
+  std::optional<std::string> samples;       ///< "400:700:5"
+  std::optional<std::string> wavelengths;   ///< "400,436,546,700"
+  std::optional<std::uint32_t> fitted;      ///< Of point: so many wavelengths for the scene.
+  bool multi_pass = false;                  ///< Of point, by the gl backend.
+  std::optional<std::string> point_lights;  ///< Of point: "better", "samples", "cells"
+  std::optional<std::string> size;          ///< "640x480"
+  std::optional<std::string> observer;      ///< "cie-1931-2deg", "cie-1964-10deg"
+  std::optional<std::string> shading;       ///< "phong", "constant", "gouraud", "quadratic"
+  std::optional<std::uint32_t> bases;       ///< Of linear.
+  std::optional<double> tolerance;          ///< Of auto: ΔE00.
+  std::optional<std::string> deadline;      ///< Of auto: "2s", "2"
   std::optional<std::uint32_t> spp;
   std::optional<std::uint32_t> depth;
   std::optional<std::uint32_t> threads;

@@ -55,11 +55,14 @@ std::vector<double> shares(const std::vector<double>& density, const Wavelengths
   return result;
 }
 
-std::vector<double> mean_power(const Spectrum& emission, const Wavelengths& wavelengths) {
-  const Spectrum at{wavelengths.nm(), wavelengths.nm()};
+std::vector<double> light_shares(const Spectrum& emission, const std::vector<double>& nm) {
+  const Spectrum at{nm, nm};
   const Wavelengths cells = cells_of({&emission, &at});
-  std::vector<double> mean = shares(resample(emission, cells.nm(), Outside::zero).values, cells,
-                                    wavelengths.nm(), Outside::zero);
+  return shares(resample(emission, cells.nm(), Outside::zero).values, cells, nm, Outside::zero);
+}
+
+std::vector<double> mean_power(const Spectrum& emission, const Wavelengths& wavelengths) {
+  std::vector<double> mean = light_shares(emission, wavelengths.nm());
   for (std::size_t i = 0; i < mean.size(); ++i) mean[i] /= wavelengths.widths()[i];
   return mean;
 }

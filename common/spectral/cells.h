@@ -27,6 +27,9 @@ inline constexpr std::size_t max_cells = 16384;  ///< 0.03 nm each; 256 KiB of f
 std::vector<double> shares(const std::vector<double>& density, const Wavelengths& cells,
                            const std::vector<double>& nm, Outside outside);
 
+/// The light that each of `nm` stands for: its shares with nothing else.
+std::vector<double> light_shares(const Spectrum& emission, const std::vector<double>& nm);
+
 /// The mean power that each of `wavelengths` stands for: its share of the light over its width.
 /// Beyond their ends light is lost, as it is where it is sampled.
 std::vector<double> mean_power(const Spectrum& emission, const Wavelengths& wavelengths);

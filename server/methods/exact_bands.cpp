@@ -80,18 +80,32 @@ class ExactBands : public Method {
 
 std::unique_ptr<Method> make_exact_bands(ExactTables tables, const RenderScene& scene,
                                          cie::Observer observer) {
-  // Each band is a share of light; widths would only be divided by and multiplied with again.
-  const std::size_t bands = tables.nm.size();
-  const Wavelengths wavelengths = Wavelengths::weighted(tables.nm, std::vector<double>(bands, 1.0));
-  const ObserverWeights eye = observer_weights(observer, wavelengths);
-  BandTable powers(scene.lights.size(), bands), xyz(3, bands);
-  for (std::size_t axis = 0; axis < 3; ++axis) xyz.set(axis, eye.weights[axis]);
+  const std::vector<double>& nm = tables.nm;
+  const std::vector<double> nothing(nm.size());
+  BandTable powers(scene.lights.size(), nm.size()), xyz(3, nm.size());
+  std::vector<double> power_of_all = nothing;
+  std::array<std::vector<double>, 3> seen_of_all = {nothing, nothing, nothing};
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const RenderLight& light = scene.lights[i];
-    std::vector<double> power = mean_power(scene.emissions[light.emission], wavelengths);
-    const double scale = luminance_scale(eye, power, light.luminance);
-    for (double& value : power) value *= scale;
+    const Spectrum& emission = scene.emissions[scene.lights[i].emission];
+    const double y = emission_xyz(emission, observer)[1];
+    std::vector<double> power = light_shares(emission, nm);
+    for (double& value : power) value *= y > 0 ? scene.lights[i].luminance / y : 0;
     powers.set(i, power);
+    for (std::size_t k = 0; k < nm.size(); ++k) {
+      power_of_all[k] += power[k];
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        seen_of_all[axis][k] += double{tables.sensors.row(3 * i + axis)[k]};
+    }
+  }
+
+  // What a band is seen as: a mean by the power of the lights within it, so that of one light the
+  // sums are those of its sensors.
+  const auto& functions = cie::matching_functions(observer);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::vector<double> weights = resample(functions[axis], nm, Outside::zero).values;
+    for (std::size_t k = 0; k < nm.size(); ++k)
+      if (power_of_all[k] > 0) weights[k] = seen_of_all[axis][k] / power_of_all[k];
+    xyz.set(axis, weights);
   }
   return std::make_unique<ExactBands>(std::move(tables), std::move(powers), std::move(xyz));
 }

@@ -117,8 +117,7 @@ bool Job::finish(v1::JobDone done) {
   timing.set_queued(queued_seconds_);
   // What was timed from the first RenderTiles on includes what the worker did before its first
   // tile.
-  const double before = timing.prepare() + (timing.pilot() > 0 ? 0 : timing.acceleration());
-  timing.set_render(std::max(0.0, render_seconds_ - before));
+  timing.set_render(std::max(0.0, render_seconds_ - done.setup()));
   timing.set_total(running_seconds_);
   timing.set_rays(rays_);
   v1::JobEvent event;

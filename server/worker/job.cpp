@@ -98,6 +98,7 @@ void Job::compile(const v1::CompileJob& message) {
   if (!make_plan(message)) return send_stopped();
   timing_.set_compile(seconds_since(begun_) - timing_.pilot() - timing_.prepare() -
                       (timing_.pilot() > 0 ? timing_.acceleration() : 0));
+  planned_setup_ = timing_.acceleration() + timing_.prepare();
   v1::WorkerEnvelope planned = envelope();
   *planned.mutable_planned()->mutable_plan() = plan_;
   link_.send(planned);
@@ -168,6 +169,7 @@ void Job::render(const v1::RenderTiles& message) {
   }
   v1::WorkerEnvelope done = envelope();
   *done.mutable_done()->mutable_timing() = timing_;
+  done.mutable_done()->set_setup(timing_.acceleration() + timing_.prepare() - planned_setup_);
   if (plan_.has_auto_() && message.last()) measure_promise(*done.mutable_done());
   send_last(done);
 }

@@ -94,6 +94,7 @@ class Job {
   v1::Settings settings_;         ///< With the defaults filled in.
   v1::Plan plan_;
   v1::Timing timing_;
+  double planned_setup_ = 0;  ///< Of its acceleration and prepare, what planning took.
   std::chrono::steady_clock::time_point begun_;
 };
 

@@ -141,7 +141,8 @@ TEST_F(ClosedForm, DiffuseQuadUnderAPointLight) {
     for (const auto& [name, observer] : observers) {
       for (const Sampling& sampling : samplings) {
         SCOPED_TRACE(illuminant + ", " + name + ", " + sampling.words[1]);
-        std::vector<std::string> words = {"--light", "lamp=" + illuminant, "--observer", name};
+        std::vector<std::string> words = {"--light", "lamp=" + illuminant, "--observer",
+                                          name,      "--point-lights",     "samples"};
         words.insert(words.end(), sampling.words.begin(), sampling.words.end());
         expect_everywhere(scene, words,
                           expected(illuminant, observer, sampling.nm, 0.7 * n_dot_l, 0));

@@ -23,8 +23,11 @@ TEST(Settings, DefaultsAreThoseOfTheSchema) {
   EXPECT_EQ(full.depth(), 4u);
   EXPECT_EQ(full.threads(), 0u);
   EXPECT_EQ(full.tile_size(), 16u);
-  ASSERT_TRUE(full.method().has_point());
-  const auto wavelengths = point_wavelengths(full.method().point());
+  EXPECT_TRUE(full.method().has_exact());
+
+  v1::Settings by_points;
+  by_points.mutable_method()->mutable_point();
+  const auto wavelengths = point_wavelengths(with_defaults(by_points).method().point());
   ASSERT_TRUE(wavelengths);
   EXPECT_EQ(wavelengths->size(), 61u);
   EXPECT_EQ(wavelengths->nm().front(), 400);
