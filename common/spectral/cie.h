@@ -7,13 +7,14 @@
 
 #include "common/spectral/spectrum.h"
 
-/// The CIE's tables, embedded at build time from Debian's colord-data (5 nm; CIE 15). The
-/// binaries do not need that package.
+/// The CIE's tables, embedded at build time from Debian's colord-data (5 nm; CIE 15), which the
+/// binaries do not need.
 namespace metamer::cie {
 
 enum class Observer { cie_1931_2deg, cie_1964_10deg };
 
-/// Colour matching functions x̄, ȳ, z̄, 360 to 830 nm (1931) or as tabulated (1964).
+/// Colour matching functions x̄, ȳ, z̄, 360 to 830 nm by 1 nm: Sprague's interpolation of the
+/// tables (sprague.h), not below 0.
 const std::array<Spectrum, 3>& matching_functions(Observer observer);
 
 /// "A" "B" "C" "D50" "D55" "D65" "D93" "E" "F1" … "F12"; null when there is none of that name.

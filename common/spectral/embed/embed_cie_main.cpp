@@ -1,6 +1,7 @@
 // Writes the CIE's tables as C++, read from colord-data's files with the reader that scenes use.
 // Run by the build: embed_cie FOLDER OUTPUT.cpp
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "common/spectral/spectrum_file.h"
+#include "common/spectral/sprague.h"
 
 namespace {
 
@@ -65,10 +67,17 @@ std::vector<NamedSpectrum> read_illuminants(const std::string& folder) {
   return all;
 }
 
+/// By 1 nm, as the CIE tabulates them; the polynomial goes below 0 beside zeros, they do not.
 std::vector<NamedSpectrum> read_observers(const std::string& folder) {
   std::vector<NamedSpectrum> all = read(folder + "/cmf/CIE1931-2deg-XYZ.cmf", 3);
   for (NamedSpectrum& function : read(folder + "/cmf/CIE1964-10deg-XYZ.cmf", 3)) {
     all.push_back(std::move(function));
+  }
+  for (NamedSpectrum& function : all) {
+    auto fine = metamer::sprague(function.spectrum, 1);
+    if (!fine) fail("embed_cie: " + function.name + ": " + fine.error().message);
+    for (double& value : fine->values) value = std::max(value, 0.0);
+    function.spectrum = std::move(*fine);
   }
   return all;
 }

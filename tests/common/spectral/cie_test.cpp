@@ -53,6 +53,37 @@ TEST(CieTables, OfTheObserversHoldThePublishedValues) {
   EXPECT_EQ(value_at(ten[2], 445), 2.0273);
 }
 
+TEST(CieTables, OfTheObserversComeNearThePublishedOnesBy1Nm) {
+  // ISO 11664-1 (CIE S 014-1), the 1931 observer; Sprague's interpolation of every fifth value.
+  struct Row {
+    double nm;
+    std::array<double, 3> xyz;
+  };
+  const auto& two = cie::matching_functions(cie::Observer::cie_1931_2deg);
+  for (const Row& row : std::vector<Row>{{453, {0.3266357, 0.04376600, 1.7589438}},
+                                         {466, {0.2408475, 0.07701600, 1.4861114}},
+                                         {471, {0.1842136, 0.09491755, 1.2374223}},
+                                         {503, {0.002424880, 0.3716986, 0.2347718}},
+                                         {518, {0.04798504, 0.6708752, 0.08998272}},
+                                         {534, {0.2133658, 0.9054432, 0.03208872}},
+                                         {556, {0.5282959, 0.9998567, 0.005303600}},
+                                         {577, {0.8730816, 0.8982772, 0.001737800}},
+                                         {599, {1.0629096, 0.6438448, 0.0008425600}},
+                                         {611, {0.9913675, 0.4904688, 0.0003072533}},
+                                         {631, {0.6215149, 0.2547632, 0.00004416}},
+                                         {688, {0.02634484, 0.009533311, 0}}})
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(value_at(two[c], row.nm), row.xyz[c], 4e-4) << row.nm << " " << c;
+}
+
+TEST(CieTables, OfTheObserversAreNowhereBelow0) {
+  for (const auto observer : {cie::Observer::cie_1931_2deg, cie::Observer::cie_1964_10deg})
+    for (const Spectrum& function : cie::matching_functions(observer)) {
+      EXPECT_EQ(function.nm.size(), 471u) << "1 nm";
+      for (const double value : function.values) EXPECT_GE(value, 0);
+    }
+}
+
 TEST(CieTables, OfIlluminantAFollowItsDefinition) {
   // CIE 15, equation 3.1: a Planckian radiator at 2848 K with c2 = 1.435e7 nm·K.
   const auto planck = [](double nm) {
