@@ -4,12 +4,31 @@
 #include <cmath>
 #include <numeric>
 
+#include "common/spectral/lines.h"
+
 namespace metamer {
 namespace {
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
   assert(a.size() == b.size());
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+/// The values at `nm`, at least two, of the straight lines that come nearest to a function by least
+/// squares, from its integrals with the hat functions. Thomas's algorithm for a matrix of three
+/// diagonals: ∫ hᵢ² = (nmᵢ₊₁ − nmᵢ₋₁) / 3, ∫ hᵢ hᵢ₊₁ = (nmᵢ₊₁ − nmᵢ) / 6.
+std::vector<double> approximated(std::vector<double> integrals, const std::vector<double>& nm) {
+  const std::size_t count = nm.size();
+  std::vector<double> above(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double left = i > 0 ? nm[i] - nm[i - 1] : 0,
+                 right = i + 1 < count ? nm[i + 1] - nm[i] : 0;
+    const double pivot = (left + right) / 3 - (i > 0 ? left / 6 * above[i - 1] : 0);
+    above[i] = right / 6 / pivot;
+    integrals[i] = (integrals[i] - (i > 0 ? left / 6 * integrals[i - 1] : 0)) / pivot;
+  }
+  for (std::size_t i = count - 1; i-- > 0;) integrals[i] -= above[i] * integrals[i + 1];
+  return integrals;
 }
 
 }  // namespace
@@ -39,9 +58,10 @@ Xyz to_xyz(const ObserverWeights& observer, const std::vector<double>& power) {
 ObserverWeights under_light(cie::Observer observer, const Spectrum& emission,
                             const std::vector<double>& nm) {
   const Spectrum at{nm, nm};
-  const Wavelengths cells = cells_of(with_observer(observer, {&emission, &at}));
+  const Spectrum light = as_emission(emission);
+  const Wavelengths cells = cells_of(with_observer(observer, {&light, &at}));
   const ObserverWeights eye = observer_weights(observer, cells);
-  std::vector<double> power = resample(emission, cells.nm(), Outside::zero).values;
+  const std::vector<double> power = resample(light, cells.nm(), Outside::zero).values;
   const double scale = luminance_scale(eye, power, 1);
   ObserverWeights lit;
   for (std::size_t c = 0; c < lit.weights.size(); ++c) {
@@ -52,10 +72,26 @@ ObserverWeights under_light(cie::Observer observer, const Spectrum& emission,
   return lit;
 }
 
+ObserverWeights observer_of_bands(cie::Observer observer, const std::vector<double>& nm) {
+  const Spectrum at{nm, nm};
+  const Wavelengths cells = cells_of(with_observer(observer, {&at}));
+  const std::vector<double> widths = hat_widths(nm);
+  ObserverWeights seen =
+      observer_weights(observer, nm.size() == 1 ? *Wavelengths::listed(nm) : cells);
+  if (nm.size() == 1) return seen;
+  for (std::vector<double>& weights : seen.weights) {
+    for (std::size_t i = 0; i < weights.size(); ++i) weights[i] /= cells.widths()[i];
+    weights = approximated(shares(weights, cells, nm, Outside::zero), nm);
+    for (std::size_t i = 0; i < weights.size(); ++i) weights[i] *= widths[i];
+  }
+  return seen;
+}
+
 Xyz emission_xyz(const Spectrum& emission, cie::Observer observer) {
-  const Wavelengths cells = cells_of(with_observer(observer, {&emission}));
+  const Spectrum light = as_emission(emission);
+  const Wavelengths cells = cells_of(with_observer(observer, {&light}));
   return to_xyz(observer_weights(observer, cells),
-                resample(emission, cells.nm(), Outside::zero).values);
+                resample(light, cells.nm(), Outside::zero).values);
 }
 
 Xyz white_of(const Spectrum& emission, cie::Observer observer) {

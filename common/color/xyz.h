@@ -33,7 +33,13 @@ Xyz to_xyz(const ObserverWeights& observer, const std::vector<double>& power);
 ObserverWeights under_light(cie::Observer observer, const Spectrum& emission,
                             const std::vector<double>& nm);
 
-/// X Y Z of a light as it is: the integral from 360 to 830 nm.
+/// An observer of band means (band_means): of all sums over bands at `nm` (rising), the one that is
+/// nearest to the integral, as x̄, ȳ, z̄ are taken by their least-squares approximation in hat
+/// functions. Exact where the light is a straight line. A single band is seen as a sample.
+ObserverWeights observer_of_bands(cie::Observer observer, const std::vector<double>& nm);
+
+/// X Y Z of a light as it is: the integral from 360 to 830 nm. Here and above, a light of a single
+/// sample is a line (as_emission).
 Xyz emission_xyz(const Spectrum& emission, cie::Observer observer);
 
 /// X Y Z of a light whose luminance is made 1; all 0 where it is dark.

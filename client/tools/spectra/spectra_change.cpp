@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "client/tools/spectra/summation.h"
 #include "common/color/xyz.h"
 
 namespace metamer::client {
@@ -31,11 +30,8 @@ Result<NormalizedSpectrum> normalized(const LoadedSpectrum& one, cie::Observer o
   if (!one.emission)
     return problem(quoted(one.label) +
                    " is taken for a reflectance, which has no luminance of its own");
-  const Wavelengths wavelengths = own_wavelengths(one.spectrum);
-  const double factor =
-      luminance_scale(observer_weights(observer, wavelengths),
-                      resample(one.spectrum, wavelengths.nm(), Outside::zero).values, luminance);
-  if (!(factor > 0)) return problem(quoted(one.label) + " is dark to this observer");
+  const double factor = luminance / emission_xyz(one.spectrum, observer)[1];
+  if (!(factor > 0) || !std::isfinite(factor)) return problem(quoted(one.label) + " is dark to this observer");
   NormalizedSpectrum result{{.name = one.name, .spectrum = one.spectrum}, factor};
   for (double& value : result.spectrum.spectrum.values) value *= factor;
   if (!make_spectrum(result.spectrum.spectrum.nm, result.spectrum.spectrum.values))

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 
-#include "client/tools/spectra/summation.h"
+#include "common/color/xyz.h"
 
 namespace metamer::client {
 namespace {
 
 EmissionFacts emission_facts(const Spectrum& light) {
-  const Wavelengths wavelengths = own_wavelengths(light);
-  const std::vector<double> power = resample(light, wavelengths.nm(), Outside::zero).values;
   const auto observed = [&](cie::Observer observer) {
-    const Xyz xyz = to_xyz(observer_weights(observer, wavelengths), power);
+    const Xyz xyz = emission_xyz(light, observer);
     return ObservedLight{observer, xyz[1], chromaticity(xyz)};
   };
   EmissionFacts facts{
@@ -23,10 +21,9 @@ EmissionFacts emission_facts(const Spectrum& light) {
 
 ReflectanceFacts reflectance_facts(const Spectrum& reflectance, const Spectrum& light,
                                    cie::Observer observer) {
-  const std::vector<double> nm = cell_edges({&reflectance});
-  const ObserverWeights lit = under_light(observer, light, nm);
-  const Xyz white = to_xyz(lit, std::vector<double>(nm.size(), 1.0));
-  const Xyz xyz = to_xyz(lit, resample(reflectance, nm, Outside::hold).values);
+  const ObserverWeights lit = under_light(observer, light, reflectance.nm);
+  const Xyz white = to_xyz(lit, std::vector<double>(reflectance.nm.size(), 1.0));
+  const Xyz xyz = to_xyz(lit, reflectance.values);
   ReflectanceFacts facts{xyz[1], chromaticity(xyz), {}};
   if (*std::min_element(white.begin(), white.end()) > 0) facts.lab = to_lab(xyz, white);
   return facts;

@@ -16,7 +16,7 @@ namespace metamer::client {
 /// A light as an observer sees it.
 struct ObservedLight {
   cie::Observer observer;
-  double luminance;                          ///< Y of E[3.2-2].
+  double luminance;                          ///< Y of E[3.2-2], the integral from 360 to 830 nm.
   std::optional<Chromaticity> chromaticity;  ///< Nothing: it is dark.
 };
 

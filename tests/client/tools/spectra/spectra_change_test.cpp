@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "client/tools/spectra/summation.h"
 #include "common/color/xyz.h"
 
 namespace metamer::client {
@@ -65,7 +64,7 @@ TEST(Normalized, HasTheLuminance) {
       const auto made = normalized({"", "", true, *cie::illuminant("F11")}, observer, luminance);
       ASSERT_TRUE(made);
       const Spectrum& light = made->spectrum.spectrum;
-      const Xyz xyz = to_xyz(observer_weights(observer, own_wavelengths(light)), light.values);
+      const Xyz xyz = emission_xyz(light, observer);
       EXPECT_NEAR(xyz[1] / luminance, 1, 1e-14);
       EXPECT_DOUBLE_EQ(light.values[40] / cie::illuminant("F11")->values[40], made->factor);
     }
