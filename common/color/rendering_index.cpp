@@ -1,10 +1,12 @@
 #include "common/color/rendering_index.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "common/color/chromaticity.h"
 #include "common/color/radiators.h"
+#include "common/spectral/lines.h"
 
 namespace metamer {
 namespace {
@@ -12,11 +14,26 @@ namespace {
 constexpr double hottest = 25000;  // Beyond, the CIE defines no daylight.
 constexpr double coldest_daylight = 5000;
 
-/// The CIE's tables are those of 5 nm; a light that somebody measured finer may have narrow lines.
-Wavelengths positions_for(const Spectrum& light) {
-  const bool coarse = std::all_of(light.nm.begin(), light.nm.end(),
-                                  [](double nm) { return std::fmod(nm, 5) == 0; });
-  return *Wavelengths::uniform(380, 780, coarse ? 5 : 1);
+/// Those of the CIE's tables of test colours, every 5 nm.
+const std::vector<double>& table_nm() { return cie::test_color(cie::test_color_names()[0])->nm; }
+
+/// CIE 13.3 sums over tables by 5 nm, and F8's Ra of 95.45 is such a sum (the integral over
+/// straight lines gives 95.53). A light that has other samples may have narrow lines.
+bool has_the_tables_samples(const Spectrum& light) {
+  return light.nm.size() > 1 && std::all_of(light.nm.begin(), light.nm.end(),
+                                            [](double nm) { return std::fmod(nm, 5) == 0; });
+}
+
+/// The observer of the test colours under a light, of which a perfect white has luminance 1.
+ObserverWeights lit_by(const Spectrum& light, bool summed) {
+  constexpr auto observer = cie::Observer::cie_1931_2deg;
+  if (!summed) return under_light(observer, light, table_nm());
+  ObserverWeights lit = observer_weights(observer, *Wavelengths::listed(table_nm()));
+  const std::vector<double> power = resample(light, table_nm(), Outside::zero).values;
+  const double scale = luminance_scale(lit, power, 1);
+  for (std::vector<double>& weights : lit.weights)
+    for (std::size_t i = 0; i < weights.size(); ++i) weights[i] *= scale * power[i];
+  return lit;
 }
 
 /// CIE 1964 U*V*W*, in which these indices are defined.
@@ -31,16 +48,13 @@ struct Samples {
   std::array<double, 15> luminance;  ///< Of 100.
 };
 
-Samples look(const ObserverWeights& observer, const Wavelengths& wavelengths,
-             const std::vector<double>& light) {
-  const Xyz white = to_xyz(observer, light);
-  Samples result{.white = uv_1960(*chromaticity(white)), .uv = {}, .luminance = {}};
+Samples look(const ObserverWeights& lit, const Chromaticity& white) {
+  Samples result{.white = uv_1960(white), .uv = {}, .luminance = {}};
   for (std::size_t i = 0; i < result.uv.size(); ++i) {
     const Spectrum& paint = *cie::test_color(cie::test_color_names()[i]);
-    std::vector<double> power = resample(paint, wavelengths.nm(), Outside::hold).values;
-    for (std::size_t k = 0; k < power.size(); ++k) power[k] *= light[k];
-    const Xyz xyz = to_xyz(observer, power);
-    result.luminance[i] = 100 * xyz[1] / white[1];
+    assert(paint.nm == table_nm());
+    const Xyz xyz = to_xyz(lit, paint.values);
+    result.luminance[i] = 100 * xyz[1];
     result.uv[i] = uv_1960(*chromaticity(xyz));
   }
   return result;
@@ -65,14 +79,15 @@ Uvw to_uvw(double luminance, const Uv& uv, const Uv& white) {
 }  // namespace
 
 Result<RenderingIndex> rendering_index(const Spectrum& light) {
-  const Wavelengths wavelengths = positions_for(light);
-  const ObserverWeights observer = observer_weights(cie::Observer::cie_1931_2deg, wavelengths);
-  std::vector<double> power = resample(light, wavelengths.nm(), Outside::zero).values;
-  const auto [least, most] = std::minmax_element(power.begin(), power.end());
+  Spectrum own_light = as_emission(light);
+  const auto [least, most] = std::minmax_element(own_light.values.begin(), own_light.values.end());
   if (*least < 0) return problem("a light has no power below 0");
   if (const double largest = *most; largest > 0)
-    for (double& value : power) value /= largest;
-  const auto own = chromaticity(to_xyz(observer, power));
+    for (double& value : own_light.values) value /= largest;
+  const bool summed = has_the_tables_samples(light);
+  const ObserverWeights lit = lit_by(own_light, summed);
+  const std::vector<double> perfect(table_nm().size(), 1.0);
+  const auto own = chromaticity(to_xyz(lit, perfect));
   if (!own) return problem("a light that nobody sees renders no colours");
 
   // Find the reference of its temperature.
@@ -80,12 +95,14 @@ Result<RenderingIndex> rendering_index(const Spectrum& light) {
   if (!temperature || temperature->kelvin > hottest)
     return problem("no black body or daylight of 1000 to 25000 K is like this light");
   const double kelvin = temperature->kelvin;
-  const Spectrum reference = kelvin < coldest_daylight ? planckian(kelvin, wavelengths.nm())
-                                                       : daylight(kelvin, wavelengths.nm());
+  const Spectrum reference = kelvin < coldest_daylight
+                                 ? planckian(kelvin, observer_wavelengths().nm())
+                                 : daylight(kelvin, observer_wavelengths().nm());
 
   // Compare the test colours, adapted to the reference.
-  const Samples here = look(observer, wavelengths, power);
-  const Samples there = look(observer, wavelengths, reference.values);
+  const ObserverWeights lit_by_reference = lit_by(reference, summed);
+  const Samples here = look(lit, *own);
+  const Samples there = look(lit_by_reference, *chromaticity(to_xyz(lit_by_reference, perfect)));
   RenderingIndex result{.ra = 0, .each = {}, .kelvin = kelvin, .distance = 0};
   result.distance = std::hypot(here.white.u - there.white.u, here.white.v - there.white.v);
   for (std::size_t i = 0; i < result.each.size(); ++i) {

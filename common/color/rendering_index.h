@@ -19,9 +19,10 @@ struct RenderingIndex {
   static constexpr double tolerance = 5.4e-3;
 };
 
-/// The indices of a light, with the 1931 observer, 380 to 780 nm by 5 nm (or by 1 nm, where the
-/// light's own samples lie elsewhere than at multiples of 5). Errors: it is dark, or no black body
-/// of 1,000 to 25,000 K is like it.
+/// The indices of a light to the observer of 1931, 360 to 830 nm: where all its samples are at
+/// multiples of 5 nm, sums over these, as the CIE takes them; else integrals, in which light and
+/// test colours are straight lines between their samples. Errors: it is dark, or no black body of
+/// 1,000 to 25,000 K is like it.
 Result<RenderingIndex> rendering_index(const Spectrum& light);
 
 }  // namespace metamer

@@ -30,7 +30,7 @@ TEST(RenderingIndex, SaysHowTintedALightIs) {
 
 TEST(RenderingIndex, OfAReferenceIs100ForEveryColour) {
   std::vector<double> nm;
-  for (int i = 380; i <= 780; i += 5) nm.push_back(i);
+  for (int i = 360; i <= 830; i += 5) nm.push_back(i);
   for (const Spectrum& light : {planckian(2000, nm), planckian(4990, nm)}) {
     const auto found = rendering_index(light);
     ASSERT_TRUE(found);
