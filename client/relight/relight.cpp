@@ -10,14 +10,14 @@ namespace {
 
 using Row = std::vector<float>;
 
-/// The mean power in each band of the scene's lights, with their luminance, E[3.2-4].
+/// The band means of the scene's lights, with their luminance, E[3.2-4].
 std::vector<std::vector<double>> light_rows(const v1::SceneFactors& scene, cie::Observer observer,
-                                            const Wavelengths& bands) {
+                                            const std::vector<double>& nm) {
   std::vector<std::vector<double>> rows;
   for (const auto& light : scene.light()) {
     const Spectrum power = to_spectrum(light.power());
     const double y = emission_xyz(power, observer)[1];
-    rows.push_back(mean_power(power, bands));
+    rows.push_back(band_means(power, nm));
     for (double& value : rows.back()) value *= y > 0 ? light.luminance() / y : 0;
   }
   return rows;
@@ -111,7 +111,7 @@ Image relight(const Factors& factors, const v1::SceneFactors& scene, cie::Observ
 Image relight_spectral(const Factors& factors, const v1::SceneFactors& scene,
                        cie::Observer observer, const Wavelengths& wavelengths) {
   // The light of each signature.
-  const auto lights = light_rows(scene, observer, wavelengths);
+  const auto lights = light_rows(scene, observer, wavelengths.nm());
   std::vector<Row> spectra;
   fold(MessageTerms(factors.tables),
        Products(scene, wavelengths.nm(),
@@ -143,8 +143,8 @@ double seen_share(const v1::SceneFactors::Light& light, cie::Observer observer,
                   const Wavelengths& wavelengths) {
   const Spectrum power = to_spectrum(light.power());
   const double all = emission_xyz(power, observer)[1];
-  const ObserverWeights weights = observer_weights(observer, wavelengths);
-  return all > 0 ? to_xyz(weights, mean_power(power, wavelengths))[1] / all : 1;
+  const ObserverWeights weights = observer_of_bands(observer, wavelengths.nm());
+  return all > 0 ? to_xyz(weights, band_means(power, wavelengths.nm()))[1] / all : 1;
 }
 
 std::optional<Xyz> source_white(const v1::SceneFactors& scene, cie::Observer observer) {

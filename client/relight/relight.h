@@ -15,11 +15,12 @@ namespace metamer::client {
 /// its own choice.
 Image relight(const Factors& factors, const v1::SceneFactors& scene, cie::Observer observer);
 
-/// The light of each pixel at `wavelengths`, a channel each, named by its nm.
+/// The light of each pixel in bands at `wavelengths`, a channel each, named by its nm: the lights'
+/// band means times the reflectances there.
 Image relight_spectral(const Factors& factors, const v1::SceneFactors& scene,
                        cie::Observer observer, const Wavelengths& wavelengths);
 
-/// How much of a light's luminance sums over these wavelengths see: 1 is all of it, and of nothing.
+/// How much of a light's luminance bands at these wavelengths show: 1 is all of it, and of nothing.
 double seen_share(const v1::SceneFactors::Light& light, cie::Observer observer,
                   const Wavelengths& wavelengths);
 

@@ -125,17 +125,12 @@ Result<XyzPicture> from_exr(const Image& image, const ImageHeader& header) {
 Result<XyzPicture> from_spectra(const SpectralImage& spectra, const Viewing& viewing) {
   if (spectra.reflectance && viewing.under == nullptr)
     return problem("the picture is a reflectance: it needs a light (--under)");
-  auto wavelengths = Wavelengths::listed(spectra.nm);
-  if (!wavelengths) return tl::unexpected<Problem>(std::move(wavelengths.error()));
-  ObserverWeights observer = observer_weights(viewing.observer, *wavelengths);
-  if (spectra.reflectance) {
-    // Multiply the light into the observer, at luminance 1.
-    const auto power = resample(*viewing.under, spectra.nm, Outside::zero).values;
-    const double scale = luminance_scale(observer, power, 1);
-    if (scale == 0) return problem("the light has no power at the picture's wavelengths");
-    for (auto& weights : observer.weights)
-      for (std::size_t b = 0; b < weights.size(); ++b) weights[b] *= scale * power[b];
-  }
+  if (const auto wrong = wrong_positions(spectra.nm)) return problem(*wrong);
+  const ObserverWeights observer = spectra.reflectance
+                                       ? under_light(viewing.observer, *viewing.under, spectra.nm)
+                                       : observer_of_bands(viewing.observer, spectra.nm);
+  if (spectra.reflectance && to_xyz(observer, std::vector<double>(spectra.nm.size(), 1.0))[1] == 0)
+    return problem("the observer sees nothing of the light");
 
   XyzPicture result;
   result.image = make_image(spectra.width, spectra.height, {"X", "Y", "Z"});

@@ -26,8 +26,9 @@ struct XyzPicture {
 ///   - a .png as sRGB, decoded, or in the space that render wrote it in; grey is R = G = B;
 ///   - an .exr with channels X, Y, Z as it is;
 ///   - an .exr with R, G, B as linear, by its chromaticities, by sRGB's where it names none;
-///   - a spectral .exr (see spectral_exr.h) through the observer: an emission by E[3.2-2], a
-///     reflectance lit by `under`.
+///   - a spectral .exr (see spectral_exr.h) through the observer: an emission as band means
+///     (observer_of_bands), a reflectance lit by `under`, as straight lines between its bands and
+///     held beyond them (under_light).
 /// Errors name the file: those of read_image and read_spectral_exr, other channels, transparent
 /// pixels or an unknown ICC profile in a .png, chromaticities that make no RGB space, a reflectance
 /// where nothing lights it.

@@ -37,7 +37,10 @@ ExrDescription describe(const SpectralImage& image, std::vector<std::string> nam
                              .numbers = {{"EV", 0.0F}},
                              .texts = metadata};
   description.texts["spectralLayoutVersion"] = "1.0";
-  if (!image.reflectance) description.texts["emissiveUnits"] = radiance_units;
+  if (image.reflectance) return description;
+  description.texts["emissiveUnits"] = radiance_units;
+  description.texts["metamer:bands"] = band_text;
+  description.texts["metamer:unit"] = unit_text;
   return description;
 }
 

@@ -22,6 +22,18 @@ struct SpectralImage {
   bool polarised = false;  ///< The file has S1. to S3. too, which are left aside.
 };
 
+/// Of an emission: what a band's value is, its unit, and how to come to cd/m²; in the attributes
+/// "metamer:bands" and "metamer:unit" of every file that is written.
+inline constexpr const char* band_text =
+    "each value is the mean of the light over a hat: 1 at the channel's wavelength, 0 at the "
+    "neighbouring channels'";
+inline constexpr const char* unit_text =
+    "spectral radiance per nm, relative to luminance Y = 1: the integral of value times ybar over "
+    "nm. "
+    "Taken for W m^-2 sr^-1 nm^-1, Y = 1 is 683 cd/m^2 (683 lm/W); a scene whose Y = 1 stands for "
+    "L "
+    "cd/m^2 has L/683 times these values";
+
 /// Writes the layout of Fichet, Pacanowski and Wilkie (see spectral_names.h): a 32-bit float
 /// channel for each wavelength, and R, G, B of `preview` (X Y Z, of the same size) as linear sRGB.
 /// `metadata` as for write_image. Errors: an extension other than .exr, wavelengths that differ by

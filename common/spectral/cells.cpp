@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/spectral/lines.h"
+
 namespace metamer {
 
 std::vector<double> cell_edges(const std::vector<const Spectrum*>& spectra) {
@@ -65,6 +67,24 @@ std::vector<double> mean_power(const Spectrum& emission, const Wavelengths& wave
   std::vector<double> mean = light_shares(emission, wavelengths.nm());
   for (std::size_t i = 0; i < mean.size(); ++i) mean[i] /= wavelengths.widths()[i];
   return mean;
+}
+
+std::vector<double> hat_widths(const std::vector<double>& nm) {
+  if (nm.size() == 1) return {1};
+  std::vector<double> widths(nm.size());
+  for (std::size_t i = 0; i + 1 < nm.size(); ++i) {
+    widths[i] += (nm[i + 1] - nm[i]) / 2;
+    widths[i + 1] += (nm[i + 1] - nm[i]) / 2;
+  }
+  return widths;
+}
+
+std::vector<double> band_means(const Spectrum& emission, const std::vector<double>& nm) {
+  if (nm.size() == 1) return resample(emission, nm, Outside::zero).values;
+  std::vector<double> means = light_shares(as_emission(emission), nm);
+  const std::vector<double> widths = hat_widths(nm);
+  for (std::size_t i = 0; i < means.size(); ++i) means[i] /= widths[i];
+  return means;
 }
 
 }  // namespace metamer

@@ -34,4 +34,12 @@ std::vector<double> light_shares(const Spectrum& emission, const std::vector<dou
 /// Beyond their ends light is lost, as it is where it is sampled.
 std::vector<double> mean_power(const Spectrum& emission, const Wavelengths& wavelengths);
 
+/// The integrals of the hat functions of `nm` (rising), which are 1 at one position and fall to 0
+/// at its neighbours: trapezoids' widths. A single position has the width 1.
+std::vector<double> hat_widths(const std::vector<double>& nm);
+
+/// The mean of a light over the hat function of each of `nm`: the band values of a spectral
+/// picture. At a single position, its value there.
+std::vector<double> band_means(const Spectrum& emission, const std::vector<double>& nm);
+
 }  // namespace metamer

@@ -2,7 +2,10 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include "common/color/lab.h"
 #include "common/color/srgb.h"
+#include "common/color/xyz.h"
+#include "common/image/spectral_exr.h"
 #include "image_file.h"
 
 namespace metamer {
@@ -57,6 +60,54 @@ TEST_F(ReadXyz, GoesByTheFilesChromaticities) {
   expect_xyz(read_xyz(folder_ / "b.exr", {}), srgb::to_xyz({1, 1, 1}), 1e-5);
   write_pixel(folder_ / "c.exr", {"R", "G", "B"}, {0.2F, 0.4F, 0.6F});
   expect_xyz(read_xyz(folder_ / "c.exr", {}), srgb::to_xyz({0.2, 0.4, 0.6}), 1e-6);
+}
+
+/// One pixel of a spectrum.
+void write_spectrum(const std::filesystem::path& file, bool reflectance, std::vector<double> nm,
+                    const std::vector<double>& values) {
+  const SpectralImage image{.width = 1,
+                            .height = 1,
+                            .reflectance = reflectance,
+                            .nm = std::move(nm),
+                            .values = {values.begin(), values.end()},
+                            .units = {},
+                            .polarised = false};
+  ASSERT_TRUE(write_spectral_exr(image, make_image(1, 1, {"X", "Y", "Z"}), file, {}));
+}
+
+TEST_F(ReadXyz, LightsAReflectanceBetweenItsBands) {
+  // F11's lines lie between bands of 20 nm. numpy over 0.005 nm, of straight lines between bands.
+  const auto nm = Wavelengths::uniform(400, 700, 20)->nm();
+  for (const auto& [name, xyz] : {std::pair{"TCS09", Xyz{0.24162607, 0.13444837, 0.02670481}},
+                                  std::pair{"TCS01", Xyz{0.36729376, 0.31041207, 0.14540323}}}) {
+    write_spectrum(folder_ / "a.exr", true, nm,
+                   resample(*cie::test_color(name), nm, Outside::hold).values);
+    expect_xyz(read_xyz(folder_ / "a.exr", {.under = cie::illuminant("F11")}), xyz, 1e-6);
+  }
+  // White is white, whatever the bands.
+  write_spectrum(folder_ / "a.exr", true, {460, 470, 600}, {1, 1, 1});
+  expect_xyz(read_xyz(folder_ / "a.exr", {.under = cie::illuminant("F11")}),
+             white_of(*cie::illuminant("F11"), cie::Observer::cie_1931_2deg), 1e-6);
+}
+
+TEST_F(ReadXyz, TakesAnEmissionForBandMeans) {
+  const auto nm = Wavelengths::uniform(360, 830, 10)->nm();
+  // A straight line is seen as its integral.
+  const Spectrum line{{360, 830}, {1, 3}};
+  write_spectrum(folder_ / "a.exr", false, nm, resample(line, nm, Outside::zero).values);
+  const Xyz whole = emission_xyz(line, cie::Observer::cie_1931_2deg);
+  expect_xyz(read_xyz(folder_ / "a.exr", {}), whole, 1e-4);
+  // F11, whose samples at those bands are ΔE00 11.3 off, is 0.10 off by numpy.
+  const Spectrum& lamp = *cie::illuminant("F11");
+  write_spectrum(folder_ / "a.exr", false, nm, band_means(lamp, nm));
+  const auto read = read_xyz(folder_ / "a.exr", {});
+  ASSERT_TRUE(read);
+  const Xyz white = white_of(lamp, cie::Observer::cie_1931_2deg);
+  const double y = emission_xyz(lamp, cie::Observer::cie_1931_2deg)[1];
+  const float* pixel = read->image.at(0, 0);
+  EXPECT_NEAR(
+      delta_e_00(to_lab({pixel[0] / y, pixel[1] / y, pixel[2] / y}, white), to_lab(white, white)),
+      0.104, 0.005);
 }
 
 TEST_F(ReadXyz, RefusesWhatHasNoColourToTell) {
