@@ -56,6 +56,19 @@ void write_tables(std::ostream& out, const std::string& name,
   out << "};\n\n";
 }
 
+/// colord's F10 has 0.0063 and 0.0881 where CIE 15:2004, table T.6, has 0.0080 and 0.0831: with
+/// these its chromaticity is the CIE's x 0.3458, y 0.3588, which was 0.3461, 0.3588.
+void correct_f10(metamer::Spectrum& light) {
+  const auto correct = [&](double nm, double wrong, double right) {
+    const auto at = std::find(light.nm.begin(), light.nm.end(), nm) - light.nm.begin();
+    double& value = light.values.at(static_cast<std::size_t>(at));
+    if (value != wrong && value != right) fail("embed_cie: F10 has other values than it had");
+    value = right;
+  };
+  correct(385, 0.0063, 0.0080);
+  correct(605, 0.0881, 0.0831);
+}
+
 std::vector<NamedSpectrum> read_illuminants(const std::string& folder) {
   std::vector<NamedSpectrum> all;
   for (const std::string name :
@@ -63,6 +76,7 @@ std::vector<NamedSpectrum> read_illuminants(const std::string& folder) {
         "F3", "F4", "F5", "F6",  "F7",  "F8",  "F9",  "F10", "F11", "F12"}) {
     all.push_back(read(folder + "/illuminant/CIE-" + name + ".sp", 1).front());
     all.back().name = name;
+    if (name == "F10") correct_f10(all.back().spectrum);
   }
   return all;
 }

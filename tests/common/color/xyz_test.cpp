@@ -62,12 +62,11 @@ TEST(WhitePoints, OfFluorescentLampsAreThePublishedOnes) {
                                                {"F7", 0.3129, 0.3292},
                                                {"F8", 0.3458, 0.3586},
                                                {"F9", 0.3741, 0.3727},
+                                               {"F10", 0.3458, 0.3588},
                                                {"F11", 0.3805, 0.3769},
                                                {"F12", 0.4370, 0.4042}}) {
     expect_white(Observer::cie_1931_2deg, white, 8e-5);
   }
-  // colord's table seems to have a misprint here; see common/spectral/README.md.
-  expect_white(Observer::cie_1931_2deg, {"F10", 0.3458, 0.3588}, 4e-4);
 }
 
 TEST(WhitePoints, AreThePublishedOnesFor10Degrees) {
