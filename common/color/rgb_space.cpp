@@ -3,6 +3,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "common/color/adaptation.h"
+
 namespace metamer {
 namespace {
 
@@ -126,6 +128,13 @@ Result<RgbSpace> make_rgb_space(std::string word, std::string name, const Primar
                   .transfer = transfer,
                   .to_xyz = to_xyz,
                   .from_xyz = invert(to_xyz)};
+}
+
+Result<Matrix3> white_for_d65(const RgbSpace& space) {
+  constexpr double alike = 5e-4;
+  const Chromaticity& white = space.primaries.white;
+  if (std::abs(white.x - d65.x) < alike && std::abs(white.y - d65.y) < alike) return identity3;
+  return adaptation_matrix(Adaptation::bradford, white_xyz(d65), white_xyz(white));
 }
 
 const RgbSpace& rgb_space(StandardSpace space) {

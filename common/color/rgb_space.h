@@ -53,6 +53,10 @@ const RgbSpace& rgb_space(StandardSpace space);
 const RgbSpace* find_rgb_space(std::string_view word);
 std::vector<std::string> rgb_space_words();
 
+/// X Y Z on a screen of D65 → what looks alike under the white of the space, by Bradford's matrix;
+/// the identity where that white is D65, to 5e-4 in x and y. Error: that of adaptation_matrix.
+Result<Matrix3> white_for_d65(const RgbSpace& space);
+
 /// X Y Z of a chromaticity at Y = 1; y is not 0.
 Xyz white_xyz(const Chromaticity& white);
 

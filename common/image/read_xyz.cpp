@@ -67,6 +67,12 @@ std::optional<std::pair<RgbSpace, Transfer>> written_space(const std::string& na
   return std::nullopt;
 }
 
+/// RGB → X Y Z as a screen of D65 shows it: the white of the space becomes D65.
+Result<Matrix3> as_seen(const RgbSpace& space) {
+  return white_for_d65(space).map(
+      [&](const Matrix3& white) { return multiply(invert(white), space.to_xyz); });
+}
+
 Result<XyzPicture> from_png(const Image& image, const ImageHeader& header) {
   if (const auto alpha = find(image.channels, "A"))
     for (std::size_t i = *alpha; i < image.pixels.size(); i += image.channels.size())
@@ -79,10 +85,12 @@ Result<XyzPicture> from_png(const Image& image, const ImageHeader& header) {
     return problem("the picture has an ICC profile of its own: convert it to sRGB first");
   const RgbSpace& space = written ? written->first : srgb::space();
   const Transfer& transfer = written ? written->second : space.transfer;
+  const auto to_xyz = as_seen(space);
+  if (!to_xyz) return tl::unexpected<Problem>(to_xyz.error());
   XyzPicture result;
   result.image = converted(image, *indices, [&](Rgb value) {
     for (double& one : value) one = decode(transfer, one);
-    return multiply(space.to_xyz, value);
+    return multiply(*to_xyz, value);
   });
   result.what = written ? header.rgb_space : space.name;
   return result;
@@ -116,8 +124,9 @@ Result<XyzPicture> from_exr(const Image& image, const ImageHeader& header) {
   }
   const auto space = space_of(header.chromaticities);
   if (!space) return tl::unexpected<Problem>(space.error());
-  result.image =
-      converted(image, *indices, [&](const Rgb& rgb) { return multiply(space->to_xyz, rgb); });
+  const auto to_xyz = as_seen(*space);
+  if (!to_xyz) return tl::unexpected<Problem>(to_xyz.error());
+  result.image = converted(image, *indices, [&](const Rgb& rgb) { return multiply(*to_xyz, rgb); });
   result.what = "linear RGB of the file's own primaries";
   return result;
 }
@@ -126,10 +135,12 @@ Result<XyzPicture> from_spectra(const SpectralImage& spectra, const Viewing& vie
   if (spectra.reflectance && viewing.under == nullptr)
     return problem("the picture is a reflectance: it needs a light (--under)");
   if (const auto wrong = wrong_positions(spectra.nm)) return problem(*wrong);
-  const ObserverWeights observer = spectra.reflectance
-                                       ? under_light(viewing.observer, *viewing.under, spectra.nm)
-                                       : observer_of_bands(viewing.observer, spectra.nm);
-  if (spectra.reflectance && to_xyz(observer, std::vector<double>(spectra.nm.size(), 1.0))[1] == 0)
+  const Result<ObserverWeights> observer =
+      spectra.reflectance
+          ? weights_under(viewing.weights, viewing.observer, *viewing.under, spectra.nm)
+          : observer_of_bands(viewing.observer, spectra.nm);
+  if (!observer) return tl::unexpected<Problem>(observer.error());
+  if (spectra.reflectance && to_xyz(*observer, std::vector<double>(spectra.nm.size(), 1.0))[1] == 0)
     return problem("the observer sees nothing of the light");
 
   XyzPicture result;
@@ -137,7 +148,7 @@ Result<XyzPicture> from_spectra(const SpectralImage& spectra, const Viewing& vie
   std::vector<double> power(spectra.nm.size());
   for (std::size_t i = 0; i < result.image.pixels.size() / 3; ++i) {
     std::copy_n(spectra.values.data() + i * power.size(), power.size(), power.begin());
-    const Xyz xyz = to_xyz(observer, power);
+    const Xyz xyz = to_xyz(*observer, power);
     for (std::size_t c = 0; c < 3; ++c) result.image.pixels[3 * i + c] = static_cast<float>(xyz[c]);
   }
   result.what = std::string(spectra.reflectance ? "a reflectance" : "an emission") + " at " +

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "common/color/table_weights.h"
 #include "common/image/image.h"
 #include "common/spectral/cie.h"
 
@@ -12,6 +13,7 @@ namespace metamer {
 struct Viewing {
   cie::Observer observer = cie::Observer::cie_1931_2deg;
   const Spectrum* under = nullptr;  ///< What lights a reflectance, at luminance 1; null: nothing.
+  TableWeights weights = TableWeights::lines;  ///< What a reflectance is between its bands.
 };
 
 /// A picture as X Y Z, whatever its file holds.
@@ -24,14 +26,15 @@ struct XyzPicture {
 
 /// Reads
 ///   - a .png as sRGB, decoded, or in the space that render wrote it in; grey is R = G = B;
+///     RGB of a space whose white is not D65 is read as it looks on a screen of D65
+///     (white_for_d65);
 ///   - an .exr with channels X, Y, Z as it is;
 ///   - an .exr with R, G, B as linear, by its chromaticities, by sRGB's where it names none;
 ///   - a spectral .exr (see spectral_exr.h) through the observer: an emission as band means
-///     (observer_of_bands), a reflectance lit by `under`, as straight lines between its bands and
-///     held beyond them (under_light).
+///     (observer_of_bands), a reflectance lit by `under` with `weights`.
 /// Errors name the file: those of read_image and read_spectral_exr, other channels, transparent
-/// pixels or an unknown ICC profile in a .png, chromaticities that make no RGB space, a reflectance
-/// where nothing lights it.
+/// pixels or an unknown ICC profile in a .png, chromaticities that make no RGB space, those of
+/// weights_under, a reflectance where nothing lights it.
 Result<XyzPicture> read_xyz(const std::filesystem::path& file, const Viewing& viewing);
 
 }  // namespace metamer

@@ -31,6 +31,15 @@ Result<RgbSpace> own_space(const v1::Primaries& message) {
       });
 }
 
+/// The white of the dominant light becomes that of the space.
+Result<Matrix3> from_source_white(const v1::Plan& plan, Adaptation adaptation,
+                                  const RgbSpace& space) {
+  if (plan.source_white_size() != 3) return problem("the dominant light has no white");
+  return adaptation_matrix(adaptation,
+                           {plan.source_white(0), plan.source_white(1), plan.source_white(2)},
+                           white_xyz(space.primaries.white));
+}
+
 }  // namespace
 
 Adaptation to_adaptation(v1::Adaptation adaptation) {
@@ -82,22 +91,29 @@ Result<RgbSpace> to_rgb_space(const v1::Development& development) {
 Result<PlannedDevelopment> planned_development(const v1::Plan& plan) {
   Result<RgbSpace> space = to_rgb_space(plan.development());
   if (!space) return tl::unexpected(std::move(space.error()));
-  PlannedDevelopment result{.space = std::move(*space), .adaptation = identity3, .unadapted = {}};
-
-  const Adaptation adaptation = to_adaptation(plan.development().adaptation());
-  if (adaptation == Adaptation::none) return result;
-  if (plan.source_white_size() != 3) {
-    result.unadapted = "the dominant light has no white";
-    return result;
-  }
-  const auto matrix = adaptation_matrix(
-      adaptation, {plan.source_white(0), plan.source_white(1), plan.source_white(2)},
-      white_xyz(result.space.primaries.white));
-  if (matrix) {
-    result.adaptation = *matrix;
-  } else {
+  PlannedDevelopment result{
+      .space = std::move(*space), .adaptation = identity3, .unadapted = {}, .shown_white = {}};
+  if (plan.development().has_adaptation()) {
+    const Adaptation asked = to_adaptation(plan.development().adaptation());
+    if (asked == Adaptation::none) {
+      if (white_for_d65(result.space) != identity3)
+        result.shown_white = "not adapted: a viewer that goes by the white of " +
+                             result.space.name + " shows D65's grey tinted";
+      return result;
+    }
+    const auto matrix = from_source_white(plan, asked, result.space);
+    if (matrix) {
+      result.adaptation = *matrix;
+      return result;
+    }
     result.unadapted = matrix.error().message;
   }
+  const auto matrix = white_for_d65(result.space);
+  if (!matrix || *matrix == identity3) return result;
+  result.adaptation = *matrix;
+  result.shown_white = "D65 becomes the white of " + result.space.name +
+                       " (bradford), so that the picture looks as in sRGB; adaptation none "
+                       "leaves X Y Z as they are";
   return result;
 }
 

@@ -21,9 +21,13 @@ struct PlannedDevelopment {
   RgbSpace space;
   Matrix3 adaptation = identity3;  ///< X Y Z as rendered → as seen under the white of the space.
   std::string unadapted;  ///< Why the adaptation that was asked for can't be done; empty: it can.
+  /// What the space's white makes of D65 where nothing else becomes that white; empty: it is D65.
+  std::string shown_white;
 };
 
-/// Error: a space that there can't be.
+/// Where no adaptation is asked for, or the one that is can't be done, D65 becomes the white of the
+/// space, so that viewers that go by it show the picture as in sRGB; NO_ADAPTATION leaves X Y Z as
+/// they are. Error: a space that there can't be.
 Result<PlannedDevelopment> planned_development(const v1::Plan& plan);
 
 }  // namespace metamer

@@ -1,5 +1,6 @@
 #include "client/cli/output/pictures.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "client/cli/commands/spectra/spectra_input.h"
@@ -56,8 +57,12 @@ ExitCode write_pictures(const OutputOptions& options, const Pictures& pictures, 
   }
   if (!planned->unadapted.empty())
     report.note({.field = {}, .file = {}, .message = "not adapted: " + planned->unadapted});
-
   const ExrContent exr = *exr_content(options);
+  const bool has_rgb = std::any_of(
+      options.files.begin(), options.files.end(),
+      [&](const std::string& file) { return !client::is_exr(file) || !(exr.xyz || exr.spectral); });
+  if (has_rgb && !planned->shown_white.empty())
+    report.note({.field = {}, .file = {}, .message = planned->shown_white});
   ExitCode code = ExitCode::done;
   for (const std::string& file : options.files) {
     if (client::is_exr(file) && exr.spectral && !pictures.factors) continue;  // why, was said

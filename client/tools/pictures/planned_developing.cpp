@@ -12,7 +12,8 @@ Result<PlannedDeveloping> planned_developing(const v1::Plan& plan) {
   return PlannedDeveloping{.developing = {.space = std::move(planned->space),
                                           .adaptation = planned->adaptation,
                                           .linear = plan.development().linear()},
-                           .unadapted = std::move(planned->unadapted)};
+                           .unadapted = std::move(planned->unadapted),
+                           .shown_white = std::move(planned->shown_white)};
 }
 
 }  // namespace metamer::client

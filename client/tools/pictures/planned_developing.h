@@ -10,7 +10,8 @@ namespace metamer::client {
 /// How a plan's X Y Z become the numbers of a picture file.
 struct PlannedDeveloping {
   Developing developing;
-  std::string unadapted;  ///< Why the adaptation that was asked for can't be done; empty: it can.
+  std::string unadapted;    ///< Why the adaptation that was asked for can't be done; empty: it can.
+  std::string shown_white;  ///< What a white other than D65 makes of it; empty: nothing.
 };
 
 /// Error: the server planned a space that there can't be.

@@ -7,9 +7,11 @@ namespace metamer::client {
 namespace {
 
 /// X Y Z of a light of luminance 1, or of a reflectance under it.
-Xyz tristimulus(const LoadedSpectrum& one, const Spectrum& light, cie::Observer observer) {
+Result<Xyz> tristimulus(const LoadedSpectrum& one, const Spectrum& light, cie::Observer observer,
+                        TableWeights weights) {
   if (one.emission) return white_of(light, observer);
-  return to_xyz(under_light(observer, light, one.spectrum.nm), one.spectrum.values);
+  return weights_under(weights, observer, light, one.spectrum.nm)
+      .map([&](const ObserverWeights& lit) { return to_xyz(lit, one.spectrum.values); });
 }
 
 /// What turns X Y Z under this light into RGB: the plan of a picture lit by it alone.
@@ -24,7 +26,7 @@ Result<PlannedDevelopment> developing_under(const Xyz& white, const v1::Developm
 
 Result<SpectrumRgb> spectrum_rgb(const LoadedSpectrum& one, const Spectrum& light,
                                  cie::Observer observer, double luminance,
-                                 const v1::Development& development) {
+                                 const v1::Development& development, TableWeights weights) {
   const Spectrum& shining = one.emission ? one.spectrum : light;
   const Xyz white = white_of(shining, observer);
   auto planned = developing_under(white, development);
@@ -32,7 +34,9 @@ Result<SpectrumRgb> spectrum_rgb(const LoadedSpectrum& one, const Spectrum& ligh
 
   SpectrumRgb result;
   result.dark = !(white[1] > 0);
-  result.xyz = tristimulus(one, shining, observer);
+  const auto xyz = tristimulus(one, shining, observer, weights);
+  if (!xyz) return tl::unexpected<Problem>(xyz.error());
+  result.xyz = *xyz;
   for (double& value : result.xyz) value *= luminance;
   result.linear = multiply(multiply(planned->space.from_xyz, planned->adaptation), result.xyz);
   result.encoded = result.linear;
@@ -43,6 +47,7 @@ Result<SpectrumRgb> spectrum_rgb(const LoadedSpectrum& one, const Spectrum& ligh
     result.in_gamut = result.in_gamut && value >= -1e-9 && value <= 1 + 1e-9;
   result.space = std::move(planned->space);
   result.unadapted = std::move(planned->unadapted);
+  result.shown_white = std::move(planned->shown_white);
   return result;
 }
 

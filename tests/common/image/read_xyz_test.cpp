@@ -84,6 +84,16 @@ TEST_F(ReadXyz, LightsAReflectanceBetweenItsBands) {
                    resample(*cie::test_color(name), nm, Outside::hold).values);
     expect_xyz(read_xyz(folder_ / "a.exr", {.under = cie::illuminant("F11")}), xyz, 1e-6);
   }
+  // Their difference by the same numpy; with a white of other weights it was 41.4.
+  const Xyz f11 = white_of(*cie::illuminant("F11"), cie::Observer::cie_1931_2deg);
+  const auto lab = [&](const char* name) {
+    write_spectrum(folder_ / "a.exr", true, nm,
+                   resample(*cie::test_color(name), nm, Outside::hold).values);
+    const auto read = read_xyz(folder_ / "a.exr", {.under = cie::illuminant("F11")});
+    const float* pixel = read->image.at(0, 0);
+    return to_lab({pixel[0], pixel[1], pixel[2]}, f11);
+  };
+  EXPECT_NEAR(delta_e_00(lab("TCS09"), lab("TCS01")), 23.335, 2e-3);
   // White is white, whatever the bands.
   write_spectrum(folder_ / "a.exr", true, {460, 470, 600}, {1, 1, 1});
   expect_xyz(read_xyz(folder_ / "a.exr", {.under = cie::illuminant("F11")}),
