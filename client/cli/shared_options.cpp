@@ -1,11 +1,23 @@
 #include "client/cli/shared_options.h"
 
+#include "common/color/table_weights.h"
+
 #include "common/scene/methods.h"
 
 namespace metamer::cli {
 
 void declare_json(bool& json, Options& options) {
   options.push_back({.names = "--json", .target = &json, .meaning = "one JSON document on stdout"});
+}
+
+void declare_weights(std::string& word, Options& options) {
+  options.push_back({.names = "--weights",
+                     .target = &word,
+                     .meaning =
+                         "reflectances between their samples: lines, or astm for samples by 10 or "
+                         "20 nm (ASTM E308, table 5)",
+                     .shows_default = true,
+                     .choices = table_weights_words()});
 }
 
 void declare_common(CommonOptions& common, Options& options) {

@@ -57,6 +57,8 @@ struct OutputOptions {
 using Options = std::vector<Option>;
 
 void declare_json(bool& json, Options& options);
+/// --weights: a word of table_weights_words.
+void declare_weights(std::string& word, Options& options);
 void declare_common(CommonOptions& common, Options& options);
 void declare_scene(std::string& scene, Options& options);
 void declare_job(std::uint64_t& job_id, Options& options);

@@ -31,7 +31,8 @@ Result<NormalizedSpectrum> normalized(const LoadedSpectrum& one, cie::Observer o
     return problem(quoted(one.label) +
                    " is taken for a reflectance, which has no luminance of its own");
   const double factor = luminance / emission_xyz(one.spectrum, observer)[1];
-  if (!(factor > 0) || !std::isfinite(factor)) return problem(quoted(one.label) + " is dark to this observer");
+  if (!(factor > 0) || !std::isfinite(factor))
+    return problem(quoted(one.label) + " is dark to this observer");
   NormalizedSpectrum result{{.name = one.name, .spectrum = one.spectrum}, factor};
   for (double& value : result.spectrum.spectrum.values) value *= factor;
   if (!make_spectrum(result.spectrum.spectrum.nm, result.spectrum.spectrum.values))

@@ -19,9 +19,7 @@ EmissionFacts emission_facts(const Spectrum& light) {
   return facts;
 }
 
-ReflectanceFacts reflectance_facts(const Spectrum& reflectance, const Spectrum& light,
-                                   cie::Observer observer) {
-  const ObserverWeights lit = under_light(observer, light, reflectance.nm);
+ReflectanceFacts reflectance_facts(const Spectrum& reflectance, const ObserverWeights& lit) {
   const Xyz white = to_xyz(lit, std::vector<double>(reflectance.nm.size(), 1.0));
   const Xyz xyz = to_xyz(lit, reflectance.values);
   ReflectanceFacts facts{xyz[1], chromaticity(xyz), {}};
@@ -31,17 +29,20 @@ ReflectanceFacts reflectance_facts(const Spectrum& reflectance, const Spectrum& 
 
 }  // namespace
 
-SpectrumFacts spectrum_facts(const LoadedSpectrum& one, const Spectrum& light,
-                             cie::Observer observer) {
+Result<SpectrumFacts> spectrum_facts(const LoadedSpectrum& one, const Spectrum& light,
+                                     cie::Observer observer, TableWeights weights) {
   const Spectrum& spectrum = one.spectrum;
   const auto [least, most] = std::minmax_element(spectrum.values.begin(), spectrum.values.end());
   SpectrumFacts facts{
       spectrum.nm.front(), spectrum.nm.back(), spectrum.nm.size(), *least, *most, {}};
-  if (one.emission)
+  if (one.emission) {
     facts.look = emission_facts(spectrum);
-  else
-    facts.look = reflectance_facts(spectrum, light, observer);
-  return facts;
+    return facts;
+  }
+  return weights_under(weights, observer, light, spectrum.nm).map([&](const ObserverWeights& lit) {
+    facts.look = reflectance_facts(spectrum, lit);
+    return facts;
+  });
 }
 
 }  // namespace metamer::client

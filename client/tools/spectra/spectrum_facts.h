@@ -9,6 +9,7 @@
 #include "common/color/chromaticity.h"
 #include "common/color/lab.h"
 #include "common/color/rendering_index.h"
+#include "common/color/table_weights.h"
 
 /// What a spectrum is: its range, and how it looks.
 namespace metamer::client {
@@ -40,8 +41,10 @@ struct SpectrumFacts {
   std::variant<EmissionFacts, ReflectanceFacts> look;
 };
 
-/// `light` and `observer` are what a reflectance is seen by; an emission needs neither.
-SpectrumFacts spectrum_facts(const LoadedSpectrum& one, const Spectrum& light,
-                             cie::Observer observer);
+/// `light`, `observer` and `weights` are what a reflectance is seen by; an emission needs none.
+/// Errors: those of weights_under.
+Result<SpectrumFacts> spectrum_facts(const LoadedSpectrum& one, const Spectrum& light,
+                                     cie::Observer observer,
+                                     TableWeights weights = TableWeights::lines);
 
 }  // namespace metamer::client

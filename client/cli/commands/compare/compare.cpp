@@ -11,6 +11,7 @@
 #include "client/cli/shared_options.h"
 #include "client/tools/pictures/comparison.h"
 #include "client/tools/text/formatted.h"
+#include "common/color/table_weights.h"
 #include "common/image/picture_file.h"
 
 namespace metamer::cli {
@@ -30,6 +31,7 @@ struct CompareOptions {
   std::string white;                       ///< "0.95,1,1.09" or "D50"
   std::string under;                       ///< What lights reflectances: "F11"
   std::string observer = "cie-1931-2deg";  ///< or "cie-1964-10deg"
+  std::string weights = "lines";           ///< or "astm": what reflectances are between bands
 };
 
 Metric metric_of(const std::string& word) {
@@ -138,7 +140,9 @@ ExitCode judge(const Difference& difference, const CompareOptions& options, Repo
 
 /// Both pictures; nothing when one can't be read, which is said.
 std::optional<client::PicturePair> read_both(const CompareOptions& options, Report& report) {
-  Viewing viewing{.observer = chosen_observer(options.observer), .under = nullptr};
+  Viewing viewing{.observer = chosen_observer(options.observer),
+                  .under = nullptr,
+                  .weights = *find_table_weights(options.weights)};
   if (!options.under.empty()) {
     const auto under = find_illuminant("--under", options.under);
     if (!under) {
@@ -257,6 +261,7 @@ void declare(CompareOptions& values, Options& options) {
                      .meaning = "who sees spectra and illuminants",
                      .shows_default = true,
                      .choices = {"cie-1931-2deg", "cie-1964-10deg"}});
+  declare_weights(values.weights, options);
   declare_json(values.json, options);
 }
 

@@ -130,9 +130,11 @@ ExitCode run(const SpectraOptions& options) {
   const auto light = load_light(options.under, "--under", report);
   if (!spectra || !light) return report.finish(ExitCode::bad_input);
   for (const LoadedSpectrum& one : *spectra) {
-    const SpectrumFacts facts = client::spectrum_facts(one, *light, *observer);
-    report.document()["spectra"].push_back(json_of(one, facts, options.under));
-    report.line(text_of(one, facts, options.under));
+    const auto facts =
+        client::spectrum_facts(one, *light, *observer, *find_table_weights(options.weights));
+    if (!facts) return refuse(one.label + ": " + facts.error().message, report);
+    report.document()["spectra"].push_back(json_of(one, *facts, options.under));
+    report.line(text_of(one, *facts, options.under));
   }
   return report.finish(ExitCode::done);
 }
@@ -141,6 +143,7 @@ void declare(SpectraOptions& values, Options& options) {
   declare_spectra(values, options);
   declare_observer(values, options);
   declare_under(values, options);
+  declare_weights(values.weights, options);
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ struct SpectraOptions {
   std::optional<std::string> kind;         ///< "emission", "reflectance"
   std::string observer = "cie-1931-2deg";  ///< Or "cie-1964-10deg".
   std::string under = "D65";               ///< The light of reflectances.
+  std::string weights = "lines";           ///< What these are between samples; or "astm".
 };
 
 struct SpectraOutputOptions {

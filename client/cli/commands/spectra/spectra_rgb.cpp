@@ -37,6 +37,7 @@ void add(const client::LoadedSpectrum& one, const client::SpectrumRgb& rgb, Repo
               "\n  encoded " + three(rgb.encoded) + " (" + rgb.space.name + ")" +
               (rgb.in_gamut ? "" : "\n  out of gamut: a .png would clip it"));
   if (!rgb.unadapted.empty()) note("not adapted: " + rgb.unadapted);
+  if (!rgb.shown_white.empty()) note(rgb.shown_white);
 }
 
 ExitCode run(const SpectraRgbOptions& options) {
@@ -54,7 +55,8 @@ ExitCode run(const SpectraRgbOptions& options) {
   if (!spectra || !under) return report.finish(ExitCode::bad_input);
 
   for (const client::LoadedSpectrum& one : *spectra) {
-    const auto rgb = client::spectrum_rgb(one, *under, *observer, options.luminance, development);
+    const auto rgb = client::spectrum_rgb(one, *under, *observer, options.luminance, development,
+                                          *find_table_weights(options.input.weights));
     if (!rgb) {
       report.error(rgb.error().message);
       return report.finish(ExitCode::bad_input);
@@ -68,6 +70,7 @@ void declare(SpectraRgbOptions& values, Options& options) {
   declare_spectra(values.input, options);
   declare_observer(values.input, options);
   declare_under(values.input, options);
+  declare_weights(values.input.weights, options);
   options.push_back({.names = "--luminance",
                      .target = &values.luminance,
                      .meaning = "of the light",
