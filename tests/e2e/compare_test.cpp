@@ -126,7 +126,7 @@ TEST_F(CompareCommand, TellsMetamersApartUnderASecondLight) {
   for (int nm = 400; nm <= 700; nm += 5) flat.nm.push_back(nm);
   flat.values.assign(flat.nm.size(), 0.5F);
   const ObserverWeights weights =
-      observer_weights(cie::Observer::cie_1931_2deg, *Wavelengths::listed(flat.nm));
+      under_light(cie::Observer::cie_1931_2deg, *cie::illuminant("E"), flat.nm);
   std::vector<std::vector<double>> seen;
   const auto remove_seen = [&](std::vector<double> v) {
     for (const auto& unit : seen) {

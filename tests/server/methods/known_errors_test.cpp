@@ -18,6 +18,23 @@ namespace {
 
 constexpr cie::Observer observer_choice = cie::Observer::cie_1931_2deg;
 
+/// That calculation joined the 5 nm samples of the observer's tables by straight lines.
+ObserverWeights observer_by_5_nm(const Wavelengths& wavelengths) {
+  ObserverWeights result;
+  for (std::size_t c = 0; c < result.weights.size(); ++c) {
+    const Spectrum& fine = cie::matching_functions(observer_choice)[c];
+    Spectrum coarse;
+    for (std::size_t i = 0; i < fine.nm.size(); i += 5) {
+      coarse.nm.push_back(fine.nm[i]);
+      coarse.values.push_back(fine.values[i]);
+    }
+    result.weights[c] = resample(coarse, wavelengths.nm(), Outside::zero).values;
+    for (std::size_t i = 0; i < wavelengths.size(); ++i)
+      result.weights[c][i] *= wavelengths.widths()[i];
+  }
+  return result;
+}
+
 /// A light and everything that it lights, at some wavelengths.
 struct Booth {
   Wavelengths wavelengths;
@@ -27,7 +44,7 @@ struct Booth {
 
   Booth(const std::string& illuminant, double step)
       : wavelengths(*Wavelengths::uniform(400, 700, step)),
-        observer(observer_weights(observer_choice, wavelengths)),
+        observer(observer_by_5_nm(wavelengths)),
         light(resample(*cie::illuminant(illuminant), wavelengths.nm(), Outside::zero).values) {
     const double scale = luminance_scale(observer, light, 1);
     for (double& value : light) value *= scale;
