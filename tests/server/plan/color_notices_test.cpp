@@ -104,7 +104,8 @@ TEST(Point, ChoosesWhatLightsAreByTheSmallerError) {
     return make_plan(made, with_defaults(settings), {.threads = 1}).method().point().lights();
   };
   EXPECT_EQ(lights(sodium), v1::Point::CELLS);
-  EXPECT_EQ(lights("standard: 'F11'"), v1::Point::CELLS);
+  // Its own samples lie at these wavelengths: numpy finds their white ΔE00 0.15 off, of means 0.24.
+  EXPECT_EQ(lights("standard: 'F11'"), v1::Point::SAMPLES);
   EXPECT_EQ(lights("samples { wavelength: [300, 900] value: [1, 1] }"), v1::Point::SAMPLES);
 }
 
