@@ -62,7 +62,8 @@ class Relit : public testing::Test {
     return file;
   }
 
-  void expect_same(const Image& relit, const Image& rendered, double within = 2e-6) {
+  /// What mirrors show, exact may carry as bands, and relighting integrates.
+  void expect_same(const Image& relit, const Image& rendered, double within = 1e-5) {
     ASSERT_EQ(relit.pixels.size(), rendered.pixels.size());
     double brightest = 0;
     for (std::size_t i = 0; i < rendered.pixels.size(); ++i) {
