@@ -28,7 +28,9 @@ Spectrum with_lines(const Spectrum& continuum, const std::vector<Line>& lines) {
 
 Spectrum as_emission(Spectrum spectrum) {
   if (spectrum.nm.size() != 1) return spectrum;
-  return with_lines({}, {{spectrum.nm.front(), spectrum.values.front()}});
+  // A line's height is its power by its width: kept within f64.
+  const double power = std::min(spectrum.values.front(), 1e300);
+  return with_lines({}, {{spectrum.nm.front(), power}});
 }
 
 }  // namespace metamer

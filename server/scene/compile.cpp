@@ -11,6 +11,7 @@
 #include "common/scene/light.h"
 #include "common/scene/limits.h"
 #include "common/scene/reflection.h"
+#include "common/spectral/lines.h"
 #include "server/scene/mesh_import.h"
 #include "server/scene/placement.h"
 
@@ -164,7 +165,8 @@ class Compiler {
     if (is_new) {
       auto loaded = load_spectrum(message, field, role, assets_);
       if (!loaded) problems_.push_back(std::move(loaded.error()));
-      spectra.push_back(loaded ? std::move(*loaded) : Spectrum{{550}, {0}});
+      Spectrum own = loaded ? std::move(*loaded) : Spectrum{{550}, {0}};
+      spectra.push_back(emission ? as_emission(std::move(own)) : std::move(own));
       fields.push_back(field);
     }
     return place->second;

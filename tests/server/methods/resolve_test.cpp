@@ -122,6 +122,28 @@ TEST(Exact, IsTheIntegralOverAllThatTheSpectraSay) {
   }
 }
 
+TEST(Exact, ALightOfOneSampleIsALine) {
+  for (const char* value : {"1", "1e-300", "1e15"}) {
+    const RenderScene scene = test::compile_text(
+        "camera { eye { z: 3 } target {} } light { name: 'l' position { y: 2 } spectrum { samples "
+        "{ "
+        "wavelength: 546.1 value: " +
+        std::string(value) +
+        " } } } material { name: 'm' diffuse { constant: 1 } } object { name: 'o' material: 'm' "
+        "sphere { radius: 1 } }");
+    v1::Method exact;
+    exact.mutable_exact();
+    Gather gather(1);
+    gather.weights(gather.surface(0, 0), 0) = {1, 0, 0};
+    const auto xyz = test::resolve(*make_method(plan_for(exact, v1::CIE_1931_2DEG), scene), gather);
+    const auto& functions = cie::matching_functions(cie::Observer::cie_1931_2deg);
+    std::array<double, 3> seen;
+    for (std::size_t i = 0; i < 3; ++i)
+      seen[i] = resample(functions[i], {546.1}, Outside::zero).values[0];
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(xyz[i], seen[i] / seen[1], 1e-5) << value;
+  }
+}
+
 TEST(Exact, KeepsToItOverMirrorsWithFresnelTermsHoweverMany) {
   const RenderScene scene = test::compile_text(R"(
     camera { eye { z: 3 } target {} }
