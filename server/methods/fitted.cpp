@@ -1,6 +1,5 @@
 #include "server/methods/fitted.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <algorithm>
 
@@ -151,7 +150,8 @@ Eigen::MatrixXd fit_weights(const TrainingSet& set, const std::vector<Index>& ch
   Eigen::MatrixXd weights(3, count);
   for (Index axis = 0; axis < 3; ++axis) {
     const NormalEquations equations = normal_equations(spectra, set, axis);
-    const Eigen::LDLT<Eigen::MatrixXd> gram(equations.gram);
+    // Of lines alone, no more wavelengths than those have light: the rest of the matrix is 0.
+    const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> gram(equations.gram);
     const Eigen::VectorXd free = gram.solve(equations.target);
     // Lagrange's multipliers; lights that depend on each other agree in what they ask for.
     const Eigen::MatrixXd reach = gram.solve(whites);
