@@ -6,7 +6,6 @@
 
 namespace metamer {
 
-using namespace band_loops;
 namespace {
 
 /// The bands of a pixel's chains.
@@ -47,17 +46,17 @@ struct BandedMethod::Fold : FoldHooks {
     const float* specular = tables.rows.row(rows.specular(material));
     for (std::size_t light = 0; light < weights.size(); ++light) {
       const LobeWeights& w = weights[light];
-      add_lobes(n, carrier(chain), tables.lights.row(light), diffuse, specular, w);
+      band_loops::add_lobes(n, carrier(chain), tables.lights.row(light), diffuse, specular, w);
     }
   }
 
   void term(std::uint32_t chain, std::uint32_t light, const FactorNode& factor, float weight) {
-    add_term(n, carrier(chain), tables.lights.row(light), tables.rows.row(rows.row(factor)),
-             weight);
+    band_loops::add_term(n, carrier(chain), tables.lights.row(light),
+                         tables.rows.row(rows.row(factor)), weight);
   }
 
   void leave(std::uint32_t chain, std::uint32_t parent, const Factor& factor) {
-    add_over(n, carrier(parent), carrier(chain), tables.rows, rows.mix(factor));
+    band_loops::add_over(n, carrier(parent), carrier(chain), tables.rows, rows.mix(factor));
   }
 };
 
@@ -68,8 +67,9 @@ std::array<float, 3> BandedMethod::resolve(const Gather& gather, float scale,
   carriers.assign(gather.chains().size() * n, 0.0f);
   fold(gather, Fold{{}, rows_, tables_, n, carriers.data()});
   const float* seen = carriers.data();
-  return {scale * dot(n, seen, tables_.xyz.row(0)), scale * dot(n, seen, tables_.xyz.row(1)),
-          scale * dot(n, seen, tables_.xyz.row(2))};
+  return {scale * band_loops::dot(n, seen, tables_.xyz.row(0)),
+          scale * band_loops::dot(n, seen, tables_.xyz.row(1)),
+          scale * band_loops::dot(n, seen, tables_.xyz.row(2))};
 }
 
 DirectTables BandedMethod::direct_tables() const {
