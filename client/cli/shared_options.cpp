@@ -54,7 +54,7 @@ void declare_overrides(Overrides& overrides, Options& options) {
       "better, the more accurate of both");
   add("--bases", &overrides.bases, "linear with so many basis functions, 1 to 16");
   add("--tolerance", &overrides.tolerance,
-      "auto: the cheapest method whose ΔE00 against the 1 nm reference stays below this");
+      "auto: the cheapest method whose ΔE00 against the reference stays below this");
   add("--deadline", &overrides.deadline,
       "auto: the most accurate method that takes no longer than this, such as 2s");
   add("--size", &overrides.size, "WIDTHxHEIGHT in pixels");

@@ -102,7 +102,7 @@ int run(std::uint32_t scenes, std::uint32_t side, std::uint32_t spp) {
   std::puts("# Promise against outcome\n");
   std::printf(
       "`--method auto --tolerance T` on scenes that the choice was not tuned on (tests/promises), "
-      "%u pixels wide with %u samples each. ΔE00 against the 1 nm reference; \"fresh\": on pixels "
+      "%u pixels wide with %u samples each. ΔE00 against the reference; \"fresh\": on pixels "
       "that had no part in the choice; \"all\": on every pixel. Best: the quickest method whose "
       "every pixel keeps the promise. The last two columns are ratios of times of one run on one "
       "thread: choosing by best, and choosing and rendering by best.\n\n",

@@ -40,7 +40,7 @@ void print_predictions(const v1::Plan& plan, Report& report) {
   if (plan.prediction().empty()) return;
   report.line("");
   report.line(
-      formatted("Predicted from %u of %llu pixels; ΔE00 against the 1 nm reference; white is what "
+      formatted("Predicted from %u of %llu pixels; ΔE00 against the reference; white is what "
                 "faces the dominant light:",
                 plan.prediction(0).error().pixels(),
                 static_cast<unsigned long long>(plan.width()) * plan.height()));

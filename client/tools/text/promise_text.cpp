@@ -12,7 +12,7 @@ std::optional<PromiseText> promise_text(const v1::Plan& plan, const v1::Finished
 
   std::string text = method_text(plan.method()) + ": ";
   text += formatted(
-      "ΔE00 against the 1 nm reference, on %u pixels that had no part in the choice: mean "
+      "ΔE00 against the reference, on %u pixels that had no part in the choice: mean "
       "%.3g, 95 %% below %.3g, at most %.3g",
       error.pixels(), error.mean(), error.percentile_95(), error.maximum());
   text += goal.has_deadline() ? formatted("; it took %.3g s, and %.3g s were asked for",

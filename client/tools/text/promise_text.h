@@ -11,7 +11,7 @@ namespace metamer::client {
 /// What a chosen method promised, beside what was measured of the picture.
 struct PromiseText {
   bool kept = true;
-  /// "exact: ΔE00 against the 1 nm reference, on 500 pixels …: mean …; at most 0.5 was asked for"
+  /// "exact: ΔE00 against the reference, on 500 pixels …: mean …; at most 0.5 was asked for"
   std::string text;
 };
 

@@ -19,7 +19,7 @@ v1::Finished measured(bool kept) {
 }
 
 const char* const measures =
-    "exact: ΔE00 against the 1 nm reference, on 500 pixels that had no part in the choice: mean "
+    "exact: ΔE00 against the reference, on 500 pixels that had no part in the choice: mean "
     "0.125, 95 % below 0.25, at most 0.75";
 
 TEST(PromiseText, OfATolerance) {
