@@ -5,7 +5,6 @@
 #include "common/color/srgb.h"
 #include "common/scene/settings.h"
 #include "server/methods/banded.h"
-#include "server/methods/exact.h"
 #include "server/methods/scene_spectra.h"
 
 namespace metamer {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/methods/exact.h"
 #include "server/methods/scene_spectra.h"
 
 namespace metamer {

@@ -6,7 +6,6 @@
 #include "common/color/xyz.h"
 #include "common/scene/settings.h"
 #include "server/methods/method.h"
-#include "server/methods/notices.h"
 #include "server/plan/features.h"
 #include "server/plan/needs.h"
 

@@ -24,12 +24,11 @@ Wavelengths scene_cells(const RenderScene& scene, cie::Observer observer) {
 }  // namespace
 
 Reference::Reference(const RenderScene& scene, cie::Observer observer)
-    : Reference(scene, observer_weights(observer, scene_cells(scene, observer)),
-                scene_cells(scene, observer)) {}
+    : Reference(scene, observer, scene_cells(scene, observer)) {}
 
-Reference::Reference(const RenderScene& scene, ObserverWeights observer,
+Reference::Reference(const RenderScene& scene, cie::Observer observer,
                      const Wavelengths& wavelengths)
-    : observer_(std::move(observer)),
+    : observer_(observer_weights(observer, wavelengths)),
       bands_(wavelengths.size()),
       factors_(factor_sources(scene), wavelengths.nm()) {
   bool has_white = false;

@@ -26,7 +26,7 @@ class Reference {
   const Xyz& white() const { return white_; }
 
  private:
-  Reference(const RenderScene& scene, ObserverWeights observer, const Wavelengths& wavelengths);
+  Reference(const RenderScene& scene, cie::Observer observer, const Wavelengths& wavelengths);
 
   using Values = std::vector<double>;
   struct Fold;
