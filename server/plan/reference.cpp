@@ -1,7 +1,7 @@
 #include "server/plan/reference.h"
 
 #include "common/transport/fold.h"
-#include "server/methods/exact.h"
+#include "server/methods/direct_errors.h"
 #include "server/transport/expand.h"
 #include "server/transport/factor_rows.h"
 
@@ -38,7 +38,7 @@ Reference::Reference(const RenderScene& scene, cie::Observer observer,
     const double scale = luminance_scale(observer_, power, light.luminance);
     for (double& value : power) value *= scale;
     if (!has_white && scale > 0) {
-      white_ = to_xyz(observer_, power);
+      white_ = usable_white(to_xyz(observer_, power));
       has_white = true;
     }
     lights_.push_back(std::move(power));

@@ -22,7 +22,8 @@ class Reference {
   Xyz resolve(const Gather& gather, double scale);
 
   /// The white of colour differences: a perfect white that faces the dominant light, the first one
-  /// that the observer sees at all. Equal energy at Y = 1, where there is none.
+  /// that the observer sees at all. Equal energy at Y = 1 where there is none, or one without X, Y
+  /// or Z.
   const Xyz& white() const { return white_; }
 
  private:

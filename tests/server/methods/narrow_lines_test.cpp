@@ -151,6 +151,13 @@ TEST(NarrowLines, ExactAndTheReferenceAreThePlainSum) {
   }
 }
 
+TEST(NarrowLines, ALaserWithoutZHasAWhiteToCompareBy) {
+  const Lamp deep_red{"deep red", 0.05, 0, {{720, 0.1, 1}}};
+  const Xyz white =
+      Reference(compile_text(scene_of(deep_red)), cie::Observer::cie_1931_2deg).white();
+  EXPECT_EQ(white, (Xyz{1, 1, 1}));
+}
+
 TEST(NarrowLines, EveryMethodThatLearnsOfTheSceneGetsTheWhiteRight) {
   for (const Lamp& lamp : lamps) {
     const RenderScene scene = compile_text(scene_of(lamp));
