@@ -1,6 +1,7 @@
 #include "common/spectral/sprague.h"
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -43,31 +44,39 @@ double between(const double* six, double t) {
   return six[2] + sum / 24;
 }
 
+double step_of(const std::vector<double>& nm) {
+  return (nm.back() - nm.front()) / static_cast<double>(nm.size() - 1);
+}
+
 }  // namespace
 
-Result<Spectrum> sprague(const Spectrum& spectrum, double step) {
-  const std::vector<double>& nm = spectrum.nm;
+std::optional<std::string> sprague_fault(const Spectrum& samples) {
+  const std::vector<double>& nm = samples.nm;
   if (nm.size() < 6)
-    return problem("Sprague's interpolation takes 6 samples at least, not " +
-                   std::to_string(nm.size()));
-  const double own = (nm.back() - nm.front()) / static_cast<double>(nm.size() - 1);
+    return "Sprague's interpolation takes 6 samples at least, not " + std::to_string(nm.size());
+  const double own = step_of(nm);
   for (std::size_t i = 0; i < nm.size(); ++i)
     if (!(std::abs(nm[i] - nm.front() - static_cast<double>(i) * own) <= alike * own))
-      return problem("Sprague's interpolation takes samples at even distances; " +
-                     number_text(nm[i]) + " nm is not at one");
-  auto positions = Wavelengths::uniform(nm.front(), nm.back(), step);
-  if (!positions) return tl::unexpected(std::move(positions.error()));
+      return "Sprague's interpolation takes samples at even distances; " + number_text(nm[i]) +
+             " nm is not at one";
+  return std::nullopt;
+}
 
-  const std::vector<double> samples = extended(spectrum.values);
-  Spectrum result{positions->nm(), {}};
-  for (const double x : result.nm) {
-    const double place = (x - nm.front()) / own, nearest = std::round(place);
+Result<std::vector<double>> sprague(const Spectrum& samples, const std::vector<double>& nm) {
+  if (auto fault = sprague_fault(samples)) return problem(std::move(*fault));
+  const double own = step_of(samples.nm);
+  const std::vector<double> all = extended(samples.values);
+  std::vector<double> result;
+  result.reserve(nm.size());
+  for (const double x : nm) {
+    assert(x >= samples.nm.front() && x <= samples.nm.back());
+    const double place = (x - samples.nm.front()) / own, nearest = std::round(place);
     if (std::abs(place - nearest) <= alike) {
-      result.values.push_back(spectrum.values[static_cast<std::size_t>(nearest)]);
+      result.push_back(samples.values[static_cast<std::size_t>(nearest)]);
       continue;
     }
     const double left = std::floor(place);
-    result.values.push_back(between(&samples[static_cast<std::size_t>(left)], place - left));
+    result.push_back(between(&all[static_cast<std::size_t>(left)], place - left));
   }
   return result;
 }

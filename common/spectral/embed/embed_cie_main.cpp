@@ -88,10 +88,11 @@ std::vector<NamedSpectrum> read_observers(const std::string& folder) {
     all.push_back(std::move(function));
   }
   for (NamedSpectrum& function : all) {
-    auto fine = metamer::sprague(function.spectrum, 1);
+    const std::vector<double> nm = metamer::observer_wavelengths().nm();
+    auto fine = metamer::sprague(function.spectrum, nm);
     if (!fine) fail("embed_cie: " + function.name + ": " + fine.error().message);
-    for (double& value : fine->values) value = std::max(value, 0.0);
-    function.spectrum = std::move(*fine);
+    for (double& value : *fine) value = std::max(value, 0.0);
+    function.spectrum = {nm, std::move(*fine)};
   }
   return all;
 }
