@@ -5,7 +5,7 @@
 
 #include "common/color/lab.h"
 #include "common/problem.h"
-#include "common/spectral/spectrum_file.h"
+#include "common/spectral/files/spectrum_file.h"
 
 /// Two surfaces that look alike under one light and not under another (3.1.2.2).
 namespace metamer {

@@ -8,7 +8,7 @@
 #include "common/scene/limits.h"
 #include "common/scene/names.h"
 #include "common/scene/scene_file.h"
-#include "common/spectral/spectrum_file.h"
+#include "common/spectral/files/spectrum_file.h"
 
 namespace metamer {
 

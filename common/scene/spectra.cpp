@@ -8,7 +8,7 @@
 #include "common/scene/names.h"
 #include "common/scene/validate.h"
 #include "common/spectral/cie.h"
-#include "common/spectral/spectrum_file.h"
+#include "common/spectral/files/spectrum_file.h"
 
 namespace metamer {
 

@@ -6,7 +6,7 @@
 
 #include "common/scene/files.h"
 #include "common/scene/validate.h"
-#include "common/spectral/spectrum_file.h"
+#include "common/spectral/files/spectrum_file.h"
 
 namespace metamer::client {
 namespace {

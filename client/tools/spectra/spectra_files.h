@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/problem.h"
-#include "common/spectral/spectra_text.h"
+#include "common/spectral/files/spectra_text.h"
 
 /// Spectra by the names of files and of the CIE's tables.
 namespace metamer::client {

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "common/spectral/cie.h"
-#include "common/spectral/spectrum_file.h"
+#include "common/spectral/files/spectrum_file.h"
 #include "tests/client/cli/said.h"
 
 namespace metamer::cli {

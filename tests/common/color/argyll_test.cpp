@@ -11,7 +11,7 @@
 #include <tuple>
 
 #include "common/color/lab.h"
-#include "common/spectral/spectra_text.h"
+#include "common/spectral/files/spectra_text.h"
 
 namespace metamer {
 namespace {

@@ -1,4 +1,4 @@
-#include "common/spectral/spectra_text.h"
+#include "common/spectral/files/spectra_text.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "common/spectral/spectrum_file.h"
+#include "common/spectral/files/spectrum_file.h"
 
 namespace metamer {
 

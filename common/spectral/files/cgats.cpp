@@ -1,11 +1,11 @@
-#include "common/spectral/cgats.h"
+#include "common/spectral/files/cgats.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
 
+#include "common/spectral/files/rows.h"
 #include "common/spectral/wavelengths.h"
 
 namespace metamer::spectrum_text {
@@ -28,23 +28,32 @@ struct Column {
   Token token;
 };
 
-/// "SPEC_380" and "nm380" are spectral. The number only has to be one: the header's positions go
-/// before it.
+/// Whether a word is that keyword, in any case.
+bool is_keyword(const Token& token, std::string_view keyword) {
+  return token.text.size() == keyword.size() && lower(token.text) == lower(keyword);
+}
+
+/// The number in a spectral column's name only has to be one: the header's positions go before it.
 Column make_column(const Token& token) {
   Column column{.token = token};
-  if (token.text == "SAMPLE_ID") column.kind = Column::Kind::id;
-  if (token.text == "SAMPLE_NAME") column.kind = Column::Kind::name;
-  for (const std::string_view prefix : {"SPEC_", "nm"}) {
-    if (!token.text.starts_with(prefix)) continue;
-    const std::string_view number = token.text.substr(prefix.size());
-    const char* last = number.data() + number.size();
-    const auto [end, error] =
-        std::from_chars(number.data(), last, column.nm, std::chars_format::fixed);
-    if (error == std::errc() && end == last && std::isfinite(column.nm)) {
-      column.kind = Column::Kind::spectral;
-    }
+  if (is_keyword(token, "SAMPLE_ID")) column.kind = Column::Kind::id;
+  if (is_keyword(token, "SAMPLE_NAME")) column.kind = Column::Kind::name;
+  if (const auto label = labelled_wavelength(token.text)) {
+    column.kind = Column::Kind::spectral;
+    column.nm = label->value;
   }
   return column;
+}
+
+/// MEAS_TYPE as Argyll writes it.
+std::optional<Quantity> quantity_of_type(const Token& type) {
+  const std::string word = lower(type.text);
+  if (word.starts_with("reflect")) return Quantity::reflectance;
+  if (word.starts_with("transmi")) return Quantity::transmittance;
+  if (word.starts_with("emission") || word.starts_with("emissive") || word.starts_with("ambient") ||
+      word.starts_with("flash"))
+    return Quantity::emission;
+  return std::nullopt;
 }
 
 /// Column names carry whole nanometres, rounded either way, or (colord's CIE-A.sp) thousandths.
@@ -54,9 +63,10 @@ bool names_position(const Column& column, double nm) {
 
 class Reader {
  public:
-  Reader(Tokens tokens, const std::string& file) : tokens_(tokens), file_(file) {}
+  Reader(Tokens tokens, std::string_view text, const std::string& file)
+      : tokens_(tokens), text_(text), file_(file) {}
 
-  Result<std::vector<NamedSpectrum>> read();
+  Result<Contents> read();
 
  private:
   using Done = tl::expected<void, Problem>;
@@ -65,9 +75,12 @@ class Reader {
   Done read_format();
   Done read_data(const Token& begin);
   Done read_set(const Token& first);
+  Result<std::vector<Token>> fields_of_set(const Token& first);
+  std::optional<std::vector<Token>> fields_between_tabs(const Token& first);
   Done check_header(const Token& begin);
   Done find_positions();
   Done use_header_positions();
+  Done check_order(const Token& token);
 
   const Setting* setting(std::string_view name) const {
     const auto found = settings_.find(name);
@@ -75,11 +88,12 @@ class Reader {
   }
 
   Tokens tokens_;
+  std::string_view text_;
   const std::string& file_;
   std::map<std::string_view, Setting> settings_;
   std::vector<Column> columns_;
   std::vector<double> nm_;  ///< Of the spectral columns, in their order.
-  std::vector<NamedSpectrum> spectra_;
+  Contents contents_{.format = "CGATS", .unit = WavelengthUnit::nm};
 };
 
 // The keywords whose values are used; all others are read over.
@@ -91,15 +105,15 @@ constexpr std::string_view field_count = "NUMBER_OF_FIELDS";
 constexpr std::string_view set_count = "NUMBER_OF_SETS";
 constexpr std::array used_keywords = {start_nm, end_nm, bands, norm, field_count, set_count};
 
-Result<std::vector<NamedSpectrum>> Reader::read() {
+Result<Contents> Reader::read() {
   // A file is keywords, a format, data; a further table may follow and keeps what it does not set.
   bool has_data = false;
   const std::optional<Token> first = tokens_.peek();
   while (const std::optional<Token> token = tokens_.next()) {
     Done done;
-    if (token->text == "BEGIN_DATA_FORMAT") {
+    if (is_keyword(*token, "BEGIN_DATA_FORMAT")) {
       done = read_format();
-    } else if (token->text == "BEGIN_DATA") {
+    } else if (is_keyword(*token, "BEGIN_DATA")) {
       has_data = true;
       done = read_data(*token);
     } else {
@@ -114,10 +128,10 @@ Result<std::vector<NamedSpectrum>> Reader::read() {
                       "no spectrum: expected \"from to step\", \"wavelength value\" or a CGATS "
                       "file with BEGIN_DATA");
   }
-  if (spectra_.empty()) {
+  if (contents_.spectra.empty()) {
     return problem_at(file_, *first, "no spectrum: the data have no columns like SPEC_380");
   }
-  return std::move(spectra_);
+  return std::move(contents_);
 }
 
 Reader::Done Reader::read_keyword(const Token& keyword) {
@@ -130,9 +144,11 @@ Reader::Done Reader::read_keyword(const Token& keyword) {
     if (!value) value = token;
   }
 
+  if (is_keyword(keyword, "MEAS_TYPE") && value) contents_.quantity = quantity_of_type(*value);
+
   // Keep the numbers that matter here.
   for (const std::string_view used : used_keywords) {
-    if (keyword.text != used) continue;
+    if (!is_keyword(keyword, used)) continue;
     if (!value) return problem_at(file_, keyword, std::string(used) + " has no value");
     const Result<double> number = parse_number(file_, *value);
     if (!number) return tl::unexpected(number.error());
@@ -145,7 +161,7 @@ Reader::Done Reader::read_keyword(const Token& keyword) {
 Reader::Done Reader::read_format() {
   columns_.clear();
   while (const std::optional<Token> token = tokens_.next()) {
-    if (token->text == "END_DATA_FORMAT") return {};
+    if (is_keyword(*token, "END_DATA_FORMAT")) return {};
     if (columns_.size() == max_columns) {
       return problem_at(file_, *token,
                         "at most " + std::to_string(max_columns) + " columns are possible");
@@ -188,7 +204,16 @@ Reader::Done Reader::find_positions() {
   if (setting(start_nm) != nullptr || setting(end_nm) != nullptr || setting(bands) != nullptr) {
     return use_header_positions();
   }
-  if (auto wrong = wrong_positions(nm_)) return problem_at(file_, *first, std::move(*wrong));
+  return check_order(*first);
+}
+
+/// Columns rise or fall.
+Reader::Done Reader::check_order(const Token& token) {
+  std::vector<double> before;
+  for (const double nm : nm_) {
+    if (auto wrong = wrong_next(before, nm)) return problem_at(file_, token, std::move(*wrong));
+    before.push_back(nm);
+  }
   return {};
 }
 
@@ -221,7 +246,7 @@ Reader::Done Reader::use_header_positions() {
                       "one band can't reach from " + number_text(start->value) + " to " +
                           number_text(end->value) + " nm");
   }
-  if (auto wrong = wrong_positions(nm_)) return problem_at(file_, end->token, std::move(*wrong));
+  if (Done done = check_order(end->token); !done) return done;
 
   // Believe no header that its own columns contradict.
   std::size_t band = 0;
@@ -242,7 +267,7 @@ Reader::Done Reader::read_data(const Token& begin) {
   std::size_t sets = 0;
   while (const std::optional<Token> token = tokens_.next()) {
     // End where the file says so, and only with as many sets as it says.
-    if (token->text == "END_DATA") {
+    if (is_keyword(*token, "END_DATA")) {
       if (expected == nullptr || expected->value == static_cast<double>(sets)) return {};
       return problem_at(file_, *token,
                         "the data end after " + std::to_string(sets) +
@@ -263,46 +288,73 @@ Reader::Done Reader::read_data(const Token& begin) {
   return problem_at(file_, tokens_.end(), "END_DATA is missing");
 }
 
-Reader::Done Reader::read_set(const Token& first) {
-  const Setting* divisor = setting(norm);
-  NamedSpectrum set{.name = {}, .spectrum = {.nm = nm_, .values = {}}};
-  bool has_name = false;
-  std::optional<Token> token = first;
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    // A set may run over several lines, so only its count of fields tells its end.
-    if (i > 0) token = tokens_.next();
+/// The fields of a set that stands on one line between tabs, of which some may be blank. Nothing:
+/// it is written otherwise.
+std::optional<std::vector<Token>> Reader::fields_between_tabs(const Token& first) {
+  const auto at = static_cast<std::size_t>(first.text.data() - text_.data());
+  const std::size_t begin = text_.rfind('\n', at) + 1;
+  const std::string_view line = text_.substr(begin, text_.find('\n', begin) - begin);
+  if (line.find('\t') == std::string_view::npos) return std::nullopt;
+  Row row = cut(line, first.line, {'\t', '.'});
+  if (row.size() == columns_.size() + 1 && row.back().text.empty()) row.pop_back();
+  if (row.size() != columns_.size()) return std::nullopt;
+  while (tokens_.peek() && tokens_.peek()->line == first.line) tokens_.next();
+  return row;
+}
+
+/// A set may run over several lines, so only its count of fields tells its end.
+Result<std::vector<Token>> Reader::fields_of_set(const Token& first) {
+  if (auto row = fields_between_tabs(first)) return std::move(*row);
+  std::vector<Token> fields;
+  for (std::optional<Token> token = first;; token = tokens_.next()) {
     if (!token) return problem_at(file_, tokens_.end(), "END_DATA is missing");
     if (token->unclosed) return problem_at(file_, *token, "the string has no closing quote");
-    if (token->text == "END_DATA") {
+    if (is_keyword(*token, "END_DATA"))
       return problem_at(file_, *token,
-                        "the data end after " + std::to_string(i) + " of the " +
+                        "the data end after " + std::to_string(fields.size()) + " of the " +
                             std::to_string(columns_.size()) + " fields of a set");
-    }
+    fields.push_back(*token);
+    if (fields.size() == columns_.size()) return fields;
+  }
+}
 
+Reader::Done Reader::read_set(const Token& first) {
+  const auto fields = fields_of_set(first);
+  if (!fields) return tl::unexpected(fields.error());
+  const Setting* divisor = setting(norm);
+  RawSpectrum set{.at = nm_, .begin = first};
+  bool has_name = false;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
     // Keep the values, and the name; where a set has both a name and an id, its name.
+    const Token& field = (*fields)[i];
+    if (field.unclosed) return problem_at(file_, field, "the string has no closing quote");
     const Column::Kind kind = columns_[i].kind;
     if (kind == Column::Kind::spectral) {
-      const Result<double> number = parse_number(file_, *token);
+      if (field.text.empty())
+        return problem_at(file_, field, "there is no value for " + quoted(columns_[i].token.text));
+      const Result<double> number = parse_number(file_, field);
       if (!number) return tl::unexpected(number.error());
       const double value = divisor != nullptr ? *number / divisor->value : *number;
       if (!std::isfinite(value)) {
-        return problem_at(file_, *token,
-                          quoted(token->text) + " divided by SPECTRAL_NORM is not finite");
+        return problem_at(file_, field,
+                          quoted(field.text) + " divided by SPECTRAL_NORM is not finite");
       }
-      set.spectrum.values.push_back(value);
-    } else if (kind == Column::Kind::name || (kind == Column::Kind::id && !has_name)) {
-      set.name = token->text;
+      set.values.push_back(value);
+    } else if (!field.text.empty() &&
+               (kind == Column::Kind::name || (kind == Column::Kind::id && !has_name))) {
+      set.name = field.text;
       has_name = kind == Column::Kind::name;
     }
   }
-  if (!nm_.empty()) spectra_.push_back(std::move(set));
+  if (divisor != nullptr) contents_.scale = Scale::one;
+  if (!nm_.empty()) contents_.spectra.push_back(std::move(set));
   return {};
 }
 
 }  // namespace
 
-Result<std::vector<NamedSpectrum>> read_cgats(Tokens tokens, const std::string& file) {
-  return Reader(tokens, file).read();
+Result<Contents> read_cgats(Tokens tokens, std::string_view text, const std::string& file) {
+  return Reader(tokens, text, file).read();
 }
 
 }  // namespace metamer::spectrum_text

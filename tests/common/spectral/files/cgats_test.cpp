@@ -1,7 +1,7 @@
 // CGATS files, through parse_spectra.
 #include <gtest/gtest.h>
 
-#include "common/spectral/spectrum_file.h"
+#include "common/spectral/files/spectrum_file.h"
 
 namespace metamer {
 namespace {
@@ -156,7 +156,8 @@ TEST(Cgats, FindsAHeaderThatContradictsItselfOrTheColumns) {
             "tcs.sp:2:19: error: SPECTRAL_START_NM, SPECTRAL_END_NM and SPECTRAL_BANDS belong "
             "together");
   file.end = "SPECTRAL_END_NM 380\n";
-  EXPECT_EQ(error_of(file.text()), "tcs.sp:3:17: error: wavelengths must rise: 390 follows 400");
+  EXPECT_EQ(error_of(file.text()),
+            "tcs.sp:8:20: error: \"SPEC_410\" stands where the header puts 390 nm");
   file.end = "SPECTRAL_END_NM 400\n";
   EXPECT_EQ(error_of(file.text()), "tcs.sp:3:17: error: wavelength 400 is repeated");
   file.end = "SPECTRAL_END_NM 440\n";
@@ -221,9 +222,64 @@ TEST(Cgats, FindsDataThatStopShort) {
 TEST(Cgats, FindsPartsThatAreMissing) {
   EXPECT_EQ(error_of("SPECT\nBEGIN_DATA\n1\nEND_DATA\n"),
             "tcs.sp:2:1: error: BEGIN_DATA stands before any data format");
-  EXPECT_EQ(error_of("SPECT\nDESCRIPTOR \"a\n"),
+  EXPECT_EQ(error_of("SPECT\nDESCRIPTOR \"a\nBEGIN_DATA\n"),
             "tcs.sp:2:12: error: the string has no closing quote");
-  EXPECT_EQ(error_of("\"a\n"), "tcs.sp:1:1: error: the string has no closing quote");
+  EXPECT_EQ(error_of("\"a\nBEGIN_DATA"), "tcs.sp:1:1: error: the string has no closing quote");
+}
+
+TEST(Cgats, FindsSpectralColumnsInEverySpellingOfTheField) {
+  for (const std::string prefix : {"SPEC_", "spec_", "SPECTRAL_NM", "SPECTRAL_NM_", "Spectral_Nm_",
+                                   "nm", "NM", "NM_", "R_", "r_"}) {
+    File file;
+    file.start = file.end = file.bands = "";
+    file.format = "BEGIN_DATA_FORMAT\nSAMPLE_ID " + prefix + "400 " + prefix + "410 " + prefix +
+                  "420\nEND_DATA_FORMAT\n";
+    EXPECT_EQ(read(file.text()).at(1).spectrum, (Spectrum{nm, {0.4, 0.5, 0.6}})) << prefix;
+  }
+}
+
+TEST(Cgats, ReadsItsKeywordsInAnyCase) {
+  File file;
+  file.format = "begin_data_format\nSample_Id SPEC_400 SPEC_410 SPEC_420\nend_data_format\n";
+  file.bands = "Spectral_Bands 3\n";
+  file.data = "begin_data\nred 1 2 3\nblue 4 5 6\nEnd_Data\n";
+  EXPECT_EQ(read(file.text()).at(1).name, "blue");
+}
+
+TEST(Cgats, KnowsBlankCellsBetweenTabs) {
+  File file;
+  file.fields = "NUMBER_OF_FIELDS\t5\n";
+  file.format =
+      "BEGIN_DATA_FORMAT\nSAMPLE_ID\tSAMPLE_NAME\tSPEC_400\tSPEC_410\tSPEC_420\n"
+      "END_DATA_FORMAT\n";
+  file.data = "BEGIN_DATA\n1\t\t0.1\t0.2\t0.3\n2\t\"dark red\"\t0.4\t0.5\t0.6\t\nEND_DATA\n";
+  const Spectra spectra = read(file.text());
+  ASSERT_EQ(spectra.size(), 2U);
+  EXPECT_EQ(spectra[0].name, "1");
+  EXPECT_EQ(spectra[0].spectrum.values, (std::vector<double>{0.1, 0.2, 0.3}));
+  EXPECT_EQ(spectra[1].name, "dark red");
+  file.data = "BEGIN_DATA\n1\ta\t0.1\t\t0.3\n2\tb\t0.4\t0.5\t0.6\nEND_DATA\n";
+  EXPECT_EQ(error_of(file.text()), "tcs.sp:11:9: error: there is no value for \"SPEC_410\"");
+}
+
+TEST(Cgats, SaysWhatItMeasures) {
+  const auto quantity_of = [](const std::string& type) {
+    const auto read =
+        read_spectrum_file("SPECT\nMEAS_TYPE \"" + type + "\"\n" + File().text(), "a");
+    return read ? read->quantity : std::nullopt;
+  };
+  EXPECT_EQ(quantity_of("REFLECTIVE"), Quantity::reflectance);
+  EXPECT_EQ(quantity_of("Transmissive"), Quantity::transmittance);
+  for (const char* type : {"EMISSION", "EMISSION_PROJECTOR", "AMBIENT", "AMBIENT_FLASH", "FLASH"})
+    EXPECT_EQ(quantity_of(type), Quantity::emission) << type;
+  EXPECT_EQ(quantity_of("SENSITIVITY"), std::nullopt);
+}
+
+TEST(Cgats, TakesColumnsThatFall) {
+  File file;
+  file.start = file.end = file.bands = "";
+  file.format = "BEGIN_DATA_FORMAT\nSAMPLE_ID SPEC_420 SPEC_410 SPEC_400\nEND_DATA_FORMAT\n";
+  EXPECT_EQ(read(file.text()).at(0).spectrum, (Spectrum{nm, {0.3, 0.2, 0.1}}));
 }
 
 TEST(Cgats, EachPrefixOfAFileIsAnErrorAndNoCrash) {

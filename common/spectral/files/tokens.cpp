@@ -1,4 +1,4 @@
-#include "common/spectral/tokens.h"
+#include "common/spectral/files/tokens.h"
 
 #include <algorithm>
 #include <charconv>

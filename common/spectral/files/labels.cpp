@@ -1,0 +1,124 @@
+#include "common/spectral/files/labels.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace metamer::spectrum_text {
+namespace {
+
+constexpr std::string_view blanks = " \t";
+
+void trim(std::string_view& text) {
+  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  const std::size_t last = text.find_last_not_of(blanks);
+  text = text.substr(0, last == std::string_view::npos ? 0 : last + 1);
+}
+
+/// Takes a unit off the end of a label in lower case: "380nm", "380 [nm]", "0.38 (µm)".
+std::optional<WavelengthUnit> take_unit(std::string_view& label) {
+  std::string_view rest = label;
+  const bool bracket = rest.ends_with(']') || rest.ends_with(')');
+  if (bracket) rest.remove_suffix(1);
+  struct Spelling {
+    std::string_view text;
+    WavelengthUnit unit;
+  };
+  static constexpr std::array<Spelling, 4> spellings = {{{"nm", WavelengthUnit::nm},
+                                                         {"um", WavelengthUnit::um},
+                                                         {"µm", WavelengthUnit::um},    // U+00B5
+                                                         {"μm", WavelengthUnit::um}}};  // U+03BC
+  for (const Spelling& spelling : spellings) {
+    if (!rest.ends_with(spelling.text)) continue;
+    rest.remove_suffix(spelling.text.size());
+    if (bracket && !rest.ends_with('[') && !rest.ends_with('(')) return std::nullopt;
+    if (bracket) rest.remove_suffix(1);
+    trim(rest);
+    label = rest;
+    return spelling.unit;
+  }
+  return std::nullopt;
+}
+
+std::optional<double> plain_number(std::string text, char decimal) {
+  if (decimal == ',') std::replace(text.begin(), text.end(), ',', '.');
+  double value = 0;
+  const char* last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, value, std::chars_format::fixed);
+  if (error != std::errc() || end != last || !std::isfinite(value) || value < 0)
+    return std::nullopt;
+  return value;
+}
+
+bool has_any(std::string_view heading, std::initializer_list<std::string_view> words) {
+  const std::string text = lower(heading);
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view word) { return text.find(word) != std::string::npos; });
+}
+
+}  // namespace
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
+
+std::optional<Labelled> labelled_wavelength(std::string_view label, char decimal) {
+  const std::string text = lower(label);
+  std::string_view rest = text;
+  trim(rest);
+  std::optional<WavelengthUnit> unit = take_unit(rest);
+
+  // What stands before the number: with a unit behind it anything, else one of the known words.
+  const std::size_t digit = std::min(rest.find_first_of(".0123456789"), rest.size());
+  std::string_view before = rest.substr(0, digit);
+  trim(before);
+  static constexpr std::array<std::string_view, 8> known = {
+      "spec_", "spectral_nm", "spectral_nm_", "nm", "nm_", "r_", "wl", "wl_"};
+  const bool is_known = std::find(known.begin(), known.end(), before) != known.end();
+  if (!unit && !is_known) return std::nullopt;
+  if (!unit && before.find("nm") != std::string_view::npos) unit = WavelengthUnit::nm;
+  const auto value = plain_number(std::string(rest.substr(digit)), decimal);
+  if (!value) return std::nullopt;
+  return Labelled{*value, unit};
+}
+
+std::optional<WavelengthUnit> unit_in(std::string_view heading) {
+  if (has_any(heading, {"µm", "μm", "(um)", "[um]", "/um", "/ um", "micron", "micromet", "_um"}))
+    return WavelengthUnit::um;
+  if (has_any(heading, {"nm", "nanomet"})) return WavelengthUnit::nm;
+  return std::nullopt;
+}
+
+bool says_percent(std::string_view heading) {
+  // Not the sign alone: "cotton 100%" is a name.
+  static constexpr std::array<std::string_view, 7> whole = {"%",  "r%",  "r %", "%r",
+                                                            "t%", "t %", "%t"};
+  return has_any(heading, {"[%]", "(%)", "/%", "/ %", "percent"}) ||
+         std::find(whole.begin(), whole.end(), lower(heading)) != whole.end();
+}
+
+bool says_wavelength(std::string_view heading) {
+  return has_any(heading, {"wavelength", "wellenl", "lambda", "λ"}) || lower(heading) == "nm" ||
+         lower(heading) == "wl";
+}
+
+std::optional<Quantity> quantity_in(std::string_view text) {
+  std::optional<Quantity> found;
+  int count = 0;
+  const auto look = [&](Quantity quantity, std::initializer_list<std::string_view> words) {
+    if (!has_any(text, words)) return;
+    found = quantity;
+    ++count;
+  };
+  look(Quantity::reflectance, {"reflect", "remission"});
+  look(Quantity::transmittance, {"transmi"});
+  look(Quantity::emission, {"radiance", "emission ", "emissive", "spd", "w/m", "w/(m", "w/nm",
+                            "radiant", "spectral power"});
+  return count == 1 ? found : std::nullopt;
+}
+
+}  // namespace metamer::spectrum_text

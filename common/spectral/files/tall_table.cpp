@@ -1,0 +1,173 @@
+#include "common/spectral/files/tall_table.h"
+
+#include <algorithm>
+
+#include "common/spectral/wavelengths.h"
+
+namespace metamer::spectrum_text {
+namespace {
+
+/// A table whose lines are wavelengths, and whose columns are spectra.
+class Tall {
+ public:
+  Tall(const Lines& lines, const Dialect& dialect, const std::string& file)
+      : lines_(lines), dialect_(dialect), file_(file) {}
+
+  Result<Contents> read();
+
+ private:
+  using Done = tl::expected<void, Problem>;
+
+  bool find_first_row();
+  void read_headings();
+  Done read_row(const Row& row);
+  Done read_rows();
+  std::string name_of(std::size_t column) const;
+  std::string format() const;
+
+  const Lines& lines_;
+  Dialect dialect_;
+  const std::string& file_;
+  std::size_t first_ = 0;  ///< The first row, in lines_.
+  Row first_row_;
+  std::vector<Row> headings_;  ///< Lines above it with as many cells.
+  std::size_t position_ = 0;   ///< The column of the wavelengths.
+  bool labelled_ = false;      ///< Rows are called after their wavelengths, among other rows.
+  Contents contents_;
+};
+
+bool Tall::find_first_row() {
+  for (; first_ < lines_.all().size(); ++first_) {
+    const Lines::Line& line = lines_.all()[first_];
+    if (line.comment) continue;
+    first_row_ = cut(line.text, line.number, dialect_);
+    if (is_row(first_row_, dialect_)) return true;
+    // What begins with a number and is no row is a mistake in the data, not a heading.
+    if (!first_row_.empty() && number_in(first_row_.front(), dialect_)) return true;
+  }
+  return false;
+}
+
+void Tall::read_headings() {
+  for (std::size_t i = 0; i < first_; ++i) {
+    Lines::Line line = lines_.all()[i];
+    if (line.comment) line.text.remove_prefix(line.text.find('#') + 1);
+    Row row = cut(line.text, line.number, dialect_);
+    if (row.size() == first_row_.size()) headings_.push_back(std::move(row));
+  }
+  for (const Row& heading : headings_)
+    for (std::size_t c = heading.size(); c-- > 0;)
+      if (says_wavelength(heading[c].text) && c + 1 < heading.size()) position_ = c;
+  for (const Row& heading : headings_) {
+    if (const auto unit = unit_in(heading[position_].text)) contents_.unit = unit;
+    for (std::size_t c = position_ + 1; c < heading.size(); ++c)
+      if (says_percent(heading[c].text)) contents_.scale = Scale::percent;
+  }
+  contents_.quantity = quantity_of(lines_, first_, headings_);
+}
+
+Tall::Done Tall::read_row(const Row& row) {
+  if (row.size() != first_row_.size())
+    return problem_at(file_, row.size() < first_row_.size() ? row.back() : row[first_row_.size()],
+                      "expected " + std::to_string(first_row_.size()) + " cells as on line " +
+                          std::to_string(first_row_.front().line) + ", not " +
+                          std::to_string(row.size()));
+  const auto position = position_in(row[position_], dialect_);
+  if (!position) return no_number(file_, row[position_], dialect_);
+  if (position->unit) contents_.unit = position->unit;
+  for (std::size_t c = position_ + 1; c < row.size(); ++c) {
+    RawSpectrum& spectrum = contents_.spectra[c - position_ - 1];
+    if (row[c].text.empty()) continue;
+    if (spectrum.at.size() == Wavelengths::max_count)
+      return problem_at(
+          file_, row.front(),
+          "at most " + std::to_string(Wavelengths::max_count) + " samples are possible");
+    const auto value = number_in(row[c], dialect_);
+    if (!value) return no_number(file_, row[c], dialect_);
+    if (auto wrong = wrong_next(spectrum.at, position->value))
+      return problem_at(file_, row[position_], std::move(*wrong));
+    spectrum.at.push_back(position->value);
+    spectrum.values.push_back(*value);
+  }
+  return {};
+}
+
+Tall::Done Tall::read_rows() {
+  const Lines::Line* remark = nullptr;
+  for (std::size_t i = first_; i < lines_.all().size(); ++i) {
+    const Lines::Line& line = lines_.all()[i];
+    if (line.comment) continue;
+    const Row row = cut(line.text, line.number, dialect_);
+    // Words may follow the numbers, and stand between rows that are called after wavelengths.
+    const bool numeric = position_ < row.size() && position_in(row[position_], dialect_);
+    const char begin = row.empty() || row.front().text.empty() ? ' ' : row.front().text.front();
+    const bool word =
+        !numeric && std::string_view("0123456789.+-").find(begin) == std::string_view::npos;
+    if (word && labelled_) continue;
+    if (word && remark == nullptr) remark = &line;
+    if (word) continue;
+    if (remark != nullptr)
+      return no_number(file_, cut(remark->text, remark->number, dialect_).front(), dialect_);
+    if (Done done = read_row(row); !done) return done;
+  }
+  return {};
+}
+
+std::string Tall::name_of(std::size_t column) const {
+  for (const Row& heading : headings_) {
+    const std::string_view name = heading[column].text;
+    if (!name.empty() && !unit_in(name)) return std::string(name);
+  }
+  return "column " + std::to_string(column + 1);
+}
+
+std::string Tall::format() const {
+  for (const Lines::Line& line : lines_.all()) {
+    if (line.text.find("Begin Spectral Data") != std::string_view::npos) return "OceanView's text";
+    if (line.text.find("Spectral Data") != std::string_view::npos && labelled_)
+      return "Sekonic's export";
+    if (line.number > first_row_.front().line) break;
+  }
+  const bool pairs = first_row_.size() == 2 && headings_.empty() &&
+                     (dialect_.delimiter == ' ' || dialect_.delimiter == '\t');
+  return pairs ? "pairs" : "a table with " + describe(dialect_);
+}
+
+Result<Contents> Tall::read() {
+  if (!find_first_row())
+    return problem_at(
+        file_, cut(lines_.all().front().text, lines_.all().front().number, dialect_).front(),
+        "no spectrum: expected \"from to step\", \"wavelength value\" on each line, a "
+        "table, or a CGATS file with BEGIN_DATA");
+  if (first_row_.size() < 2)
+    return problem_at(file_, first_row_.front(),
+                      "expected \"wavelength value\" on each line, but there is no value");
+  if (first_row_.size() > max_cells)
+    return problem_at(file_, first_row_.front(),
+                      "at most " + std::to_string(max_cells) + " columns are possible");
+  read_headings();
+  labelled_ = !number_in(first_row_[position_], dialect_);
+  contents_.spectra.resize(first_row_.size() - position_ - 1);
+  for (RawSpectrum& spectrum : contents_.spectra) spectrum.begin = first_row_.front();
+  if (Done done = read_rows(); !done) return tl::unexpected(std::move(done.error()));
+
+  // Name them where there are several; columns without a value are none.
+  std::vector<RawSpectrum> spectra;
+  for (std::size_t c = 0; c < contents_.spectra.size(); ++c) {
+    if (contents_.spectra[c].at.empty()) continue;
+    spectra.push_back(std::move(contents_.spectra[c]));
+    spectra.back().name = name_of(position_ + 1 + c);
+  }
+  if (spectra.size() == 1 && contents_.spectra.size() == 1) spectra.front().name.clear();
+  contents_.spectra = std::move(spectra);
+  contents_.format = format();
+  return std::move(contents_);
+}
+
+}  // namespace
+
+Result<Contents> read_tall(const Lines& lines, const Dialect& dialect, const std::string& file) {
+  return Tall(lines, dialect, file).read();
+}
+
+}  // namespace metamer::spectrum_text

@@ -1,0 +1,151 @@
+// Tables of spectra, through read_spectrum_file.
+#include <gtest/gtest.h>
+
+#include "common/spectral/files/spectrum_file.h"
+
+namespace metamer {
+namespace {
+
+SpectrumFile table(std::string_view text) {
+  auto read = read_spectrum_file(text, "t.csv");
+  if (!read) ADD_FAILURE() << format(read.error()) << " of " << text;
+  return read ? std::move(*read) : SpectrumFile{};
+}
+
+std::string table_error(std::string_view text) {
+  const auto read = read_spectrum_file(text, "t.csv");
+  return read ? "no error" : format(read.error());
+}
+
+Spectrum only_of(std::string_view text) {
+  const SpectrumFile file = table(text);
+  EXPECT_EQ(file.spectra.size(), 1U) << text;
+  return file.spectra.empty() ? Spectrum{} : file.spectra.front().spectrum;
+}
+
+const Spectrum fabric = {{380, 390, 400}, {0.25, 0.5, 0.125}};
+
+TEST(Table, IsReadWithEverySeparatorAndDecimalSign) {
+  EXPECT_EQ(only_of("380,0.25\n390,0.5\n400,0.125\n"), fabric);
+  EXPECT_EQ(only_of("380, 0.25\n390, 0.5\n400, 0.125\n"), fabric);
+  EXPECT_EQ(only_of("380;0.25\n390;0.5\n400;0.125"), fabric);
+  EXPECT_EQ(only_of("380;0,25\n390;0,5\n400;0,125\n"), fabric);
+  EXPECT_EQ(only_of("380\t0.25\n390\t0.5\n400\t0.125\n"), fabric);
+  EXPECT_EQ(only_of("380\t0,25\n390\t0,5\n400\t0,125\n"), fabric);
+  EXPECT_EQ(only_of("380 0,25\n390 0,5\n400 0,125\n"), fabric);
+  EXPECT_EQ(only_of("380,00;2,5e-1\n390,00;0,5\n400,00;1,25E-1\n"), fabric);
+  EXPECT_EQ(only_of("\"380\";\"0,25\"\n\"390\";\"0,5\"\n\"400\";\"0,125\"\n"), fabric);
+  EXPECT_EQ(only_of("380,0.25,\n390,0.5,\n400,0.125,\n"), fabric) << "a comma at the end";
+}
+
+TEST(Table, ReadsOverHeadingsAndRemarks) {
+  EXPECT_EQ(only_of("Wavelength,Reflectance\n380,0.25\n390,0.5\n400,0.125\n"), fabric);
+  EXPECT_EQ(
+      only_of("Date: 2024-05-17\nSpectrometer: 7\n\nnm\tR\n380\t0.25\n390\t0.5\n400\t0.125\n"),
+      fabric);
+  EXPECT_EQ(only_of("# 12, 13\n380,0.25\n# between\n390,0.5\n400,0.125\n"), fabric);
+  EXPECT_EQ(only_of("380,0.25\n390,0.5\n400,0.125\n>>>>>End Spectral Data<<<<<\n"), fabric);
+}
+
+TEST(Table, MayFall) {
+  EXPECT_EQ(only_of("400 0.125\n390 0.5\n380 0.25\n"), fabric);
+  EXPECT_EQ(only_of("nm;a\n400;0,125\n390;0,5\n380;0,25\n"), fabric);
+  EXPECT_EQ(table_error("400 1\n390 1\n395 1\n"),
+            "t.csv:3:1: error: wavelengths must go on falling: 395 follows 390");
+  EXPECT_EQ(table_error("400 1\n390 1\n390 1\n"), "t.csv:3:1: error: wavelength 390 is repeated");
+}
+
+TEST(Table, NamesItsColumns) {
+  const SpectrumFile file =
+      table("Wavelength [nm];Cotton 100%;\"Wool; red\"\n380;1;2\n390;3;4\n400;5;6\n");
+  ASSERT_EQ(file.spectra.size(), 2U);
+  EXPECT_EQ(file.spectra[0].name, "Cotton 100%");
+  EXPECT_EQ(file.spectra[1].name, "Wool; red");
+  EXPECT_EQ(file.spectra[1].spectrum, (Spectrum{{380, 390, 400}, {2, 4, 6}}));
+  EXPECT_FALSE(file.scale);
+  EXPECT_EQ(table("380 1 2\n390 3 4\n").spectra[1].name, "column 3");
+  EXPECT_EQ(table("# nm a b\n380 1 2\n390 3 4\n").spectra[0].name, "a");
+  EXPECT_EQ(table("pixel,Wavelength (nm),a\n0,380,1\n1,390,2\n").spectra.front().spectrum,
+            (Spectrum{{380, 390}, {1, 2}}));
+}
+
+TEST(Table, LeavesOutWhatACellDoesNotSay) {
+  const SpectrumFile file = table("nm,a,b,c\n380,1,,\n390,2,3,\n400,,4,\n");
+  ASSERT_EQ(file.spectra.size(), 2U);
+  EXPECT_EQ(file.spectra[0].spectrum, (Spectrum{{380, 390}, {1, 2}}));
+  EXPECT_EQ(file.spectra[1].spectrum, (Spectrum{{390, 400}, {3, 4}}));
+}
+
+TEST(Table, WithoutAValueIsNone) {
+  EXPECT_EQ(table_error("nm,a\n380,\n390,\n"),
+            "t.csv: error: the file has wavelengths, but no values");
+}
+
+TEST(Table, TakesUnitsAndQuantitiesOfItsHeadings) {
+  EXPECT_EQ(only_of("Wavelength (µm),R\n0.38,0.25\n0.39,0.5\n0.4,0.125\n"), fabric);
+  EXPECT_EQ(only_of("wavelength / um\tn\n0.38\t0.25\n0.39\t0.5\n0.4\t0.125\n"), fabric);
+  EXPECT_EQ(only_of("0.38um,0.25\n0.39um,0.5\n0.40um,0.125\n"), fabric);
+  const SpectrumFile percent = table("Wavelength [nm];R [%]\n360;4,12\n370;4,50\n");
+  EXPECT_EQ(percent.scale, Scale::percent);
+  EXPECT_EQ(percent.spectra.front().spectrum, (Spectrum{{360, 370}, {4.12, 4.5}}));
+  EXPECT_EQ(table("nm,Transmittance\n380,1\n390,2\n").quantity, Quantity::transmittance);
+  EXPECT_EQ(table("Spectral radiance\nnm,W\n380,1\n390,2\n").quantity, Quantity::emission);
+}
+
+TEST(Table, OfMicrometresWithoutAWordIsAnError) {
+  const std::string_view gold = "0.4133 1.64\n0.4959 1.04\n";
+  EXPECT_EQ(
+      table_error(gold),
+      "t.csv:1:1: error: wavelengths from 0.4133 to 0.4959 look like µm; say in which unit they "
+      "are (um or nm)");
+  const auto stated = read_spectrum_file(gold, "t.csv", WavelengthUnit::um);
+  ASSERT_TRUE(stated);
+  EXPECT_EQ(stated->spectra.front().spectrum, (Spectrum{{413.3, 495.9}, {1.64, 1.04}}));
+  EXPECT_TRUE(read_spectrum_file(gold, "t.csv", WavelengthUnit::nm));
+}
+
+TEST(Table, MayHaveASpectrumALine) {
+  const SpectrumFile file = table("Name,380,390,400\nred,0.1,0.2,0.3\nblue,0.4,0.5,0.6\n");
+  ASSERT_EQ(file.spectra.size(), 2U);
+  EXPECT_EQ(file.spectra[1].name, "blue");
+  EXPECT_EQ(file.spectra[1].spectrum, (Spectrum{{380, 390, 400}, {0.4, 0.5, 0.6}}));
+  EXPECT_EQ(table("id;Name;SPEC_400;SPEC_390;SPEC_380\n1;a;0,3;0,2;0,1\n").spectra.front().spectrum,
+            (Spectrum{{380, 390, 400}, {0.1, 0.2, 0.3}}));
+  EXPECT_EQ(table("\tnm380\tnm390\tnm400\nred\t1\t\t3\n").spectra.front().spectrum,
+            (Spectrum{{380, 400}, {1, 3}}));
+  EXPECT_EQ(
+      table("Exported 2024\nsample,0.38um,0.39um,0.40um\na,1,2,3\n").spectra.front().spectrum.nm,
+      (std::vector<double>{380, 390, 400}));
+}
+
+TEST(Table, OfAnInstrumentIsCalledAfterIt) {
+  const std::string sekonic =
+      "Sekonic C-7000,\nCCT,5003\nSpectral Data 380[nm],0.25\nSpectral Data 390[nm],0.5\n"
+      "Spectral Data 400[nm],0.125\nMemo,none\n";
+  EXPECT_EQ(table(sekonic).format, "Sekonic's export");
+  EXPECT_EQ(only_of(sekonic), fabric);
+  EXPECT_EQ(only_of("Model,MK350\nCCT,5003\n380nm,0.25\n390nm,0.5\n400nm,0.125\n"), fabric);
+  EXPECT_EQ(only_of("380[nm]\t0,25\n390[nm]\t0,5\n400[nm]\t0,125\n"), fabric);
+}
+
+TEST(Table, LocatesWhatIsWrong) {
+  EXPECT_EQ(table_error("380,0.1\n390,abc\n400,0.2\n"),
+            "t.csv:2:5: error: \"abc\" is not a number");
+  EXPECT_EQ(table_error("380;0,1\n390;0.2.1\n400;0,2\n"),
+            "t.csv:2:5: error: \"0.2.1\" is not a number");
+  EXPECT_EQ(table_error("380,0.1\nx90,0.2\n400,0.2\n"),
+            "t.csv:2:1: error: \"x90\" is not a number");
+  EXPECT_EQ(table_error("380,0.1\n390\n400,0.2\n"),
+            "t.csv:2:1: error: expected 2 cells as on line 1, not 1");
+  EXPECT_EQ(
+      table_error("Name,380,390,400\nred,0.1,0.2,x\n"),
+      "t.csv:1:1: error: no spectrum: expected \"from to step\", \"wavelength value\" on each "
+      "line, a table, or a CGATS file with BEGIN_DATA");
+  EXPECT_EQ(table_error("Name,380,390,400\nred,0.1,0.2,0.3\nblue,1,x,3\n"),
+            "t.csv:3:8: error: \"x\" is not a number");
+  EXPECT_EQ(table_error("Name,380,390,400\nred,0.1,0.2,0.3\nblue,1,2\n"),
+            "t.csv:3:1: error: expected 4 cells as on line 1, not 3");
+}
+
+}  // namespace
+}  // namespace metamer
