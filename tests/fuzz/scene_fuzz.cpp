@@ -14,6 +14,7 @@
 #include "common/scene/scene_file.h"
 #include "common/scene/settings.h"
 #include "common/scene/validate.h"
+#include "common/spectral/files/encoding.h"
 
 namespace {
 
@@ -69,7 +70,8 @@ void check_sound(const v1::Scene& scene, const std::string& files) {
   for (const Problem& problem : problems) {
     check(problem.field.ends_with(".file") || problem.field.ends_with(".entry"),
           "only files are wrong in a sound scene's spectra");
-    if (!problem.file.empty() && problem.line > 0) check_place(problem, files);
+    if (!problem.file.empty() && problem.line > 0)
+      check_place(problem, metamer::utf8_text(files, name).value_or(files));
   }
 
   // Its text reads back as the same scene.

@@ -6,6 +6,7 @@
 
 #include "common/scene/files.h"
 #include "common/spectral/cie.h"
+#include "common/spectral/files/encoding.h"
 
 namespace metamer::client {
 namespace {
@@ -35,8 +36,8 @@ std::string printable(std::string text) {
 Result<std::vector<LoadedSpectrum>> read_spectra(const std::string& file, std::string& source) {
   Result<std::string> text = read_file(file, max_spectrum_file);
   if (!text) return tl::unexpected(std::move(text.error()));
-  source = std::move(*text);
-  return parse_spectra(source, file).map([&](std::vector<NamedSpectrum>&& spectra) {
+  source = utf8_text(*text, file).value_or(*text);
+  return parse_spectra(*text, file).map([&](std::vector<NamedSpectrum>&& spectra) {
     std::vector<LoadedSpectrum> loaded;
     for (NamedSpectrum& one : spectra)
       loaded.push_back(
