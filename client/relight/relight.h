@@ -8,7 +8,7 @@
 #include "common/spectral/cie.h"
 
 /// The renderer's second half by itself: what light and paint make of a picture's factors. The
-/// answer is that of the method `exact`, 360 to 830 nm by 1 nm, to the rounding of f32.
+/// answer is that of the method `exact`, to the rounding of f32.
 namespace metamer::client {
 
 /// X Y Z of each pixel. `scene` has the lights and materials of `factors.scene`, with spectra of

@@ -18,7 +18,7 @@ TEST(TradeoffCommand, RanksEveryMethodOnAScene) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   const Json answer = parse_document(ended.out);
   ASSERT_EQ(answer["rows"].size(), 29u);
-  EXPECT_EQ(answer["reference"]["plan"]["bands"], 471);
+  EXPECT_TRUE(answer["reference"]["plan"]["method"].contains("exact"));
   for (const char* name : {"tradeoff.csv", "tradeoff.json", "tradeoff.png", "diff-rgb.png"})
     EXPECT_TRUE(std::filesystem::exists(out + "/" + name)) << name;
 
@@ -33,9 +33,12 @@ TEST(TradeoffCommand, RanksEveryMethodOnAScene) {
     EXPECT_EQ(row["error"]["not_finite"], 0) << row;
     if (row["front"])
       front.emplace_back(row["seconds"].get<double>(), row["error"]["percentile_95"].get<double>());
-    // The wavelengths of exact are those of the reference.
+    // The reference is exact, and many wavelengths are near it.
     if (row["method"] == "exact") {
-      EXPECT_LT(row["error"]["maximum"].get<double>(), 0.02);
+      EXPECT_EQ(row["error"]["maximum"].get<double>(), 0);
+    }
+    if (row["parameters"] == "301 uniform") {
+      EXPECT_LT(row["error"]["maximum"].get<double>(), 0.5);
     }
     // And a colour by three numbers is far off under A.
     if (row["method"] == "rgb") {

@@ -5,7 +5,6 @@
 
 #include "common/scene/methods.h"
 #include "common/scene/settings.h"
-#include "common/spectral/wavelengths.h"
 
 namespace metamer::client {
 namespace {
@@ -35,10 +34,7 @@ TradeoffCase case_of(const v1::Method& method) {
 
 v1::Method tradeoff_reference() {
   v1::Method method;
-  v1::Point& point = *method.mutable_point();
-  point.set_from(observer_from_nm);
-  point.set_to(observer_to_nm);
-  point.set_step(1);
+  method.mutable_exact();
   return method;
 }
 

@@ -43,7 +43,8 @@ struct Tradeoff {
   std::vector<TradeoffRow> rows;
 };
 
-/// Point sampling at every nm from 360 to 830, which the others are measured against.
+/// What the others are measured against: exact, which counts what spectra say between whole
+/// nanometres.
 v1::Method tradeoff_reference();
 /// Every method over its parameters; the naive rgb comes first.
 std::vector<TradeoffCase> tradeoff_cases();

@@ -72,7 +72,7 @@ std::string heading(const Tradeoff& tradeoff) {
   std::array<char, 300> text{};
   std::snprintf(text.data(), text.size(),
                 "%u × %u pixels, %u samples each, %u threads; the quickest of %u round%s; "
-                "white X %.4f Y %.4f Z %.4f; reference: 360 to 830 nm by 1 nm",
+                "white X %.4f Y %.4f Z %.4f; reference: exact",
                 plan.width(), plan.height(), plan.spp(), plan.threads(), tradeoff.rounds,
                 tradeoff.rounds == 1 ? "" : "s", tradeoff.white[0], tradeoff.white[1],
                 tradeoff.white[2]);
