@@ -23,7 +23,7 @@ ExitCode conclude_failed(const v1::Failed& failed, const CheckedScene* scene, Re
   return bad_input ? ExitCode::bad_input : ExitCode::job_failed;
 }
 
-/// What was promised beside what was measured.
+/// What was measured, beside what was promised.
 ExitCode conclude_promise(const JobRecord& job, Report& report) {
   const v1::Finished& finished = job.last.finished();
   const auto promise = job.plan ? promise_text(*job.plan, finished) : std::nullopt;

@@ -250,6 +250,10 @@ Result<void> add_lights(const Overrides& overrides, Look& look) {
 }
 
 Result<void> add_numbers(const Overrides& overrides, Look& look) {
+  if (overrides.verify) {
+    look.settings.set_verify(true);
+    look.set("verify", "--verify");
+  }
   if (overrides.spp) {
     look.settings.set_spp(*overrides.spp);
     look.set("spp", "--spp");

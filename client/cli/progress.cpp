@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <utility>
 
 #include "client/tools/text/formatted.h"
 #include "client/tools/text/job_text.h"
@@ -13,9 +14,13 @@ namespace metamer::cli {
 
 namespace {
 
+/// The picture is whole, and its pixels are compared with the reference's.
+bool is_check(const v1::Progress& progress) { return progress.tiles_verified() > 0; }
+
 unsigned percent(const v1::Progress& progress) {
   if (progress.tiles() == 0) return 0;
-  return std::min(100u, static_cast<unsigned>(100ull * progress.tiles_done() / progress.tiles()));
+  const std::uint64_t done = is_check(progress) ? progress.tiles_verified() : progress.tiles_done();
+  return std::min(100u, static_cast<unsigned>(100 * done / progress.tiles()));
 }
 
 int terminal_columns() {
@@ -27,9 +32,10 @@ int terminal_columns() {
 }  // namespace
 
 std::string bar(const v1::Progress& progress, int columns) {
-  const std::string tail = formatted("  %3u %%  ", percent(progress)) +
-                           rate(progress.rays(), progress.seconds()) + "  " +
-                           clock(progress.seconds_left()) + " left";
+  const std::string tail =
+      formatted("  %3u %%  ", percent(progress)) +
+      (is_check(progress) ? std::string("verified") : rate(progress.rays(), progress.seconds())) +
+      "  " + clock(progress.seconds_left()) + " left";
   constexpr int widest = 40;  // the rest of a wide terminal would only make the eye travel
   const int width = std::min(columns - static_cast<int>(tail.size()) - 3, widest);
   if (width < 5) return tail.substr(2, static_cast<std::size_t>(std::max(columns - 1, 0)));
@@ -63,10 +69,12 @@ void ProgressView::show_progress(const v1::Progress& progress) {
 
 void ProgressView::show_line(const v1::Progress& progress) {
   const unsigned tenths = percent(progress) / 10;
+  if (is_check(progress) && !std::exchange(checks_, true)) tenths_ = 0;
   if (tenths <= tenths_ || tenths >= 10) return;
   tenths_ = tenths;
-  line(formatted("%u %%, ", percent(progress)) + rate(progress.rays(), progress.seconds()) + ", " +
-       clock(progress.seconds_left()) + " left");
+  line(formatted("%u %%, ", percent(progress)) +
+       (is_check(progress) ? std::string("verified") : rate(progress.rays(), progress.seconds())) +
+       ", " + clock(progress.seconds_left()) + " left");
 }
 
 void ProgressView::show(const v1::JobEvent& event) {

@@ -30,7 +30,8 @@ class ProgressView {
 
   bool terminal_;
   bool drawn_ = false;   ///< A bar stands on the terminal's last line.
-  unsigned tenths_ = 0;  ///< Those that were told.
+  unsigned tenths_ = 0;  ///< Those that were told,
+  bool checks_ = false;  ///< of the check.
 };
 
 }  // namespace metamer::cli

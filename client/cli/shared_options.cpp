@@ -57,6 +57,8 @@ void declare_overrides(Overrides& overrides, Options& options) {
       "auto: the cheapest method whose ΔE00 against the reference stays below this");
   add("--deadline", &overrides.deadline,
       "auto: the most accurate method that takes no longer than this, such as 2s");
+  add("--verify", &overrides.verify,
+      "draw the whole picture again by the reference and say how far each pixel is off");
   add("--size", &overrides.size, "WIDTHxHEIGHT in pixels");
   add("--spp", &overrides.spp, "samples per pixel");
   add("--depth", &overrides.depth, "mirror reflections that a path may take");

@@ -39,6 +39,7 @@ struct Overrides {
   std::optional<std::uint32_t> bases;       ///< Of linear.
   std::optional<double> tolerance;          ///< Of auto: ΔE00.
   std::optional<std::string> deadline;      ///< Of auto: "2s", "2"
+  bool verify = false;
   std::optional<std::uint32_t> spp;
   std::optional<std::uint32_t> depth;
   std::optional<std::uint32_t> threads;

@@ -13,6 +13,32 @@ namespace {
 
 double fraction(double value) { return value - std::floor(value); }
 
+/// G. L. Steele, D. Lea and C. H. Flood (2014): the k-th number of SplitMix64.
+std::uint64_t random_bits(std::uint64_t k) {
+  std::uint64_t z = (k + 1) * 0x9e3779b97f4a7c15;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+  return z ^ (z >> 31);
+}
+
+struct Place {
+  std::uint32_t x, y;
+};
+
+Place even_place(std::uint32_t k, const v1::Plan& plan) {
+  const auto along = [k](double alpha, std::uint32_t size) {
+    return std::min(static_cast<std::uint32_t>(fraction(0.5 + (k + 1) * alpha) * size), size - 1);
+  };
+  return {along(0.7548776662466927, plan.width()), along(0.5698402909980532, plan.height())};
+}
+
+Place random_place(std::uint32_t k, const v1::Plan& plan) {
+  const std::uint64_t pixels = std::uint64_t{plan.width()} * plan.height();  // below 2^32
+  const std::uint64_t pixel = (random_bits(k) >> 32) * pixels >> 32;
+  return {static_cast<std::uint32_t>(pixel % plan.width()),
+          static_cast<std::uint32_t>(pixel / plan.width())};
+}
+
 }  // namespace
 
 bool Geometry::prepare(const std::atomic<bool>& cancelled) {
@@ -31,14 +57,12 @@ TracedPixels TracingProbe::trace(const v1::Plan& plan, PixelRun run,
   TracedPixels pixels;
   const auto start = Clock::now();
   const std::uint32_t block = tracer.block_width() * tracer.block_height();
-  for (std::uint32_t k = run.first; k < run.first + run.count && !stopped; k += block) {
+  for (std::uint32_t k = run.first; k < run.first + run.count && !stopped;
+       k += run.random ? 1 : block) {
     // Find the block of the place.
-    const auto place = [k](double alpha, std::uint32_t size, std::uint32_t block) {
-      const auto at = static_cast<std::uint32_t>(fraction(0.5 + (k + 1) * alpha) * size);
-      return std::min(at, size - 1) / block * block;
-    };
-    const std::uint32_t x = place(0.7548776662466927, plan.width(), tracer.block_width());
-    const std::uint32_t y = place(0.5698402909980532, plan.height(), tracer.block_height());
+    const Place place = run.random ? random_place(k, plan) : even_place(k, plan);
+    const std::uint32_t x = place.x / tracer.block_width() * tracer.block_width();
+    const std::uint32_t y = place.y / tracer.block_height() * tracer.block_height();
     tracer.gather_block(x, y, workspace);
 
     for (std::uint32_t i = 0; i < workspace.gathers.size(); ++i)

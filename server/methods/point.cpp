@@ -55,6 +55,11 @@ v1::Point::Lights better_lights(const Wavelengths& wavelengths, cie::Observer ob
 
 }  // namespace
 
+std::unique_ptr<Method> make_sampled(const Wavelengths& wavelengths, cie::Observer observer,
+                                     const RenderScene& scene) {
+  return make(wavelengths, observer, v1::Point::SAMPLES, scene);
+}
+
 Wavelengths wavelengths_of_point(const v1::Method& method) {
   return method.point().has_fitted() ? observer_wavelengths() : *point_wavelengths(method.point());
 }

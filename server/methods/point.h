@@ -8,6 +8,10 @@ namespace metamer {
 /// uniform, listed or fitted.
 std::unique_ptr<Method> make_point(const v1::Plan& plan, const RenderScene& scene);
 
+/// The same at any positions with weights, the lights' samples there.
+std::unique_ptr<Method> make_sampled(const Wavelengths& wavelengths, cie::Observer observer,
+                                     const RenderScene& scene);
+
 /// How many wavelengths there are, and what lights are at them: where that is left open, whichever
 /// gets the largest difference from the scene's true colours (DirectColors) down. Of a fitted one,
 /// which wavelengths.

@@ -1,5 +1,7 @@
 #include "server/plan/reference.h"
 
+#include <Eigen/Core>
+
 #include "common/transport/fold.h"
 #include "server/methods/direct_errors.h"
 #include "server/transport/expand.h"
@@ -7,10 +9,7 @@
 
 namespace metamer {
 
-namespace {
-
-/// In whose cells every spectrum of the scene is a line.
-Wavelengths scene_cells(const RenderScene& scene, cie::Observer observer) {
+Wavelengths Reference::cells(const RenderScene& scene, cie::Observer observer) {
   std::vector<const Spectrum*> spectra = with_observer(observer, {});
   for (const Spectrum& emission : scene.emissions) spectra.push_back(&emission);
   for (const Spectrum& property : scene.properties) spectra.push_back(&property);
@@ -21,10 +20,8 @@ Wavelengths scene_cells(const RenderScene& scene, cie::Observer observer) {
   return cells_of(spectra);
 }
 
-}  // namespace
-
 Reference::Reference(const RenderScene& scene, cie::Observer observer)
-    : Reference(scene, observer, scene_cells(scene, observer)) {}
+    : Reference(scene, observer, cells(scene, observer)) {}
 
 Reference::Reference(const RenderScene& scene, cie::Observer observer,
                      const Wavelengths& wavelengths)
@@ -48,7 +45,10 @@ Reference::Reference(const RenderScene& scene, cie::Observer observer,
 /// Reflects each light at the end of a chain, and carries it back to the eye.
 struct Reference::Fold : FoldHooks {
   Reference& reference;
-  std::vector<Values> carriers;
+
+  double* carrier(std::uint32_t chain) const {
+    return reference.carriers_.data() + chain * reference.bands_;
+  }
 
   void lobes(std::uint32_t chain, std::uint32_t material, std::span<const LobeWeights> weights) {
     lobes_as_terms(*this, chain, material, weights);
@@ -56,27 +56,32 @@ struct Reference::Fold : FoldHooks {
 
   void term(std::uint32_t chain, std::uint32_t light, const FactorNode& factor, float weight) {
     const Values &power = reference.lights_[light], &values = reference.factors_(factor);
-    Values& carrier = carriers[chain];
-    for (std::size_t i = 0; i < carrier.size(); ++i)
-      carrier[i] += double{weight} * power[i] * values[i];
+    double* to = carrier(chain);
+    for (std::size_t i = 0; i < values.size(); ++i) to[i] += double{weight} * power[i] * values[i];
   }
 
   /// An exact Fresnel term lies on the line between two nodes, within 2e-5 (fresnel_table.h).
   void leave(std::uint32_t chain, std::uint32_t parent, const Factor& factor) {
     const FactorNodes<double> nodes = expand<double>(factor);
+    const double* from = carrier(chain);
+    double* to = carrier(parent);
     for (std::size_t j = 0; j < nodes.count; ++j) {
       const Values& values = reference.factors_(nodes.node[j]);
       for (std::size_t i = 0; i < values.size(); ++i)
-        carriers[parent][i] += nodes.weight[j] * carriers[chain][i] * values[i];
+        to[i] += nodes.weight[j] * from[i] * values[i];
     }
   }
 };
 
 Xyz Reference::resolve(const Gather& gather, double scale) {
-  Fold carrier{{}, *this, std::vector<Values>(gather.chains().size(), Values(bands_))};
-  fold(gather, carrier);
-  Xyz xyz = to_xyz(observer_, carrier.carriers[0]);
-  for (double& value : xyz) value *= scale;
+  Xyz xyz{};
+  if (gather.surfaces().empty() && gather.terms().empty()) return xyz;
+  carriers_.assign(gather.chains().size() * bands_, 0.0);
+  fold(gather, Fold{{}, *this});
+  using Row = Eigen::Map<const Eigen::VectorXd>;  // whose sums are made in lanes
+  const auto size = static_cast<Eigen::Index>(bands_);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    xyz[axis] = scale * Row(carriers_.data(), size).dot(Row(observer_.weights[axis].data(), size));
   return xyz;
 }
 

@@ -18,6 +18,10 @@ class Reference {
   /// `scene` must outlive it.
   Reference(const RenderScene& scene, cie::Observer observer);
 
+  /// Where it takes its sums, with their weights: in each cell every spectrum of the scene is a
+  /// line.
+  static Wavelengths cells(const RenderScene& scene, cie::Observer observer);
+
   /// The light of one pixel, `scale` times the sums of `gather`.
   Xyz resolve(const Gather& gather, double scale);
 
@@ -35,7 +39,8 @@ class Reference {
   ObserverWeights observer_;
   std::size_t bands_;
   std::vector<Values> lights_;    ///< With their luminance, E[3.2-4].
-  FactorValues<double> factors_;  ///< At every nm.
+  Values carriers_;  ///< Of the pixel under way, chain by chain.
+  FactorValues<double> factors_;  ///< At the cells' wavelengths.
   Xyz white_{1, 1, 1};
 };
 

@@ -1,6 +1,7 @@
 #include "server/render/pilot.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -107,6 +108,8 @@ std::vector<double> color_errors(const Method& method, const PilotPixels& pixels
   }
   return errors;
 }
+
+double bounded_share(std::uint32_t count) { return std::pow(0.05, 1.0 / count); }
 
 v1::ColorError summarize(const std::vector<double>& errors) {
   const ErrorStatistics statistics = error_statistics(errors);

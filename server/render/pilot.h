@@ -43,6 +43,10 @@ struct PixelRange {
 std::vector<double> color_errors(const Method& method, const PilotPixels& pixels, PixelRange range,
                                  const Xyz& white, Method::Scratch& scratch);
 
+/// The share of all pixels that is off by no more than the largest of `count` drawn at random, each
+/// by itself, with 95 % confidence: q of q^count = 0.05 (S. S. Wilks 1941, one limit).
+double bounded_share(std::uint32_t count);
+
 /// A pixel whose error is not finite makes the maximum infinite.
 v1::ColorError summarize(const std::vector<double>& errors);
 

@@ -23,18 +23,17 @@ v1::Method any_method() {
 constexpr double ray_cost = 500;
 
 /// Rays to the surfaces, and from each to each light.
-double mean_rays(const PilotPixels& pixels, const v1::Plan& plan) {
+double mean_rays(const std::vector<Gather>& pixels, const v1::Plan& plan) {
   double chains = 0;
-  for (const Gather& gather : pixels.gathers) chains += static_cast<double>(gather.chains().size());
-  const double depth =
-      pixels.gathers.empty() ? 1 : chains / static_cast<double>(pixels.gathers.size());
+  for (const Gather& gather : pixels) chains += static_cast<double>(gather.chains().size());
+  const double depth = pixels.empty() ? 1 : chains / static_cast<double>(pixels.size());
   return plan.spp() * (1.0 + plan.lights()) * depth;
 }
 
-double mean_resolve_cost(const Method& method, const PilotPixels& pixels) {
+double mean_resolve_cost(const Method& method, const std::vector<Gather>& pixels) {
   double sum = 0;
-  for (const Gather& gather : pixels.gathers) sum += method.resolve_cost(gather);
-  return sum / static_cast<double>(std::max<std::size_t>(1, pixels.gathers.size()));
+  for (const Gather& gather : pixels) sum += method.resolve_cost(gather);
+  return sum / static_cast<double>(std::max<std::size_t>(1, pixels.size()));
 }
 
 /// Pixels that no prediction has seen: as many again as the pilot has, twice.
@@ -67,7 +66,7 @@ Predictor::Predictor(const PilotScene& pilot)
       pixels_(trace_pixels(pilot.probe, plan_, {0, pilot_count(plan_)}, reference_, pilot.stopped,
                            pilot.work)),
       colors_(scene_colors(pilot.scene, reference_)),
-      trace_cost_(mean_rays(pixels_, plan_) * ray_cost * plan_.width() * plan_.height()) {}
+      trace_cost_(mean_rays(pixels_.gathers, plan_) * ray_cost * plan_.width() * plan_.height()) {}
 
 Predicted Predictor::predict(const v1::Method& method) {
   const auto start = Clock::now();
@@ -96,7 +95,7 @@ Predicted Predictor::predict(const v1::Method& method) {
   prediction.set_bound(summarize(color_errors(*predicted.method, colors_,
                                               {0, colors_.gathers.size()}, white, *scratch))
                            .maximum());
-  const double resolve_cost = mean_resolve_cost(*predicted.method, pixels_);
+  const double resolve_cost = mean_resolve_cost(*predicted.method, pixels_.gathers);
   predicted.cost = trace_cost_ + predicted.method->preparation_cost() +
                    resolve_cost * plan.width() * plan.height();
   predicted.look = predicted.method->preparation_cost() +
@@ -107,13 +106,30 @@ Predicted Predictor::predict(const v1::Method& method) {
 }
 
 v1::ColorError Predictor::check(const Method& method, std::uint32_t round) {
-  return error_on(fresh_run(plan_, 1 + round), pilot_, plan_, reference_, method);
+  return error_on(fresh_run(plan_, round), pilot_, plan_, reference_, method);
 }
 
-v1::ColorError measure(const PilotScene& pilot, const Method& method) {
+v1::Accuracy measure(const PilotScene& pilot, const Method& method) {
   const v1::Plan plan = plan_with(pilot, any_method());
   Reference reference(pilot.scene, to_observer(plan.observer()));
-  return error_on(fresh_run(plan, 0), pilot, plan, reference, method);
+  const PixelRun run{.first = 0, .count = 2 * pilot_count(plan), .random = true};
+  v1::ColorError error = error_on(run, pilot, plan, reference, method);
+  error.set_share(bounded_share(run.count));
+  return accuracy_of(error, plan.observer(), reference.white());
+}
+
+v1::Accuracy accuracy_of(const v1::ColorError& error, v1::Observer observer, const Xyz& white) {
+  v1::Accuracy accuracy;
+  *accuracy.mutable_error() = error;
+  accuracy.set_kept(true);
+  accuracy.set_observer(observer);
+  accuracy.mutable_white()->Add(white.begin(), white.end());
+  return accuracy;
+}
+
+double counted_pixel_cost(const Method& method, const std::vector<Gather>& pixels,
+                          const v1::Plan& plan) {
+  return mean_rays(pixels, plan) * ray_cost + mean_resolve_cost(method, pixels);
 }
 
 }  // namespace metamer

@@ -53,9 +53,18 @@ class Predictor {
   double trace_cost_;
 };
 
-/// A plan's promise after its picture was rendered: the error on pixels that had no part in the
-/// choice.
-v1::ColorError measure(const PilotScene& pilot, const Method& method);
+/// A plan's promise after its picture was rendered: the error on pixels drawn at random, which had
+/// no part in the choice. What the largest of them says of all
+/// is bounded_share; those that share a packet with them are looked at too, and make it only safer.
+v1::Accuracy measure(const PilotScene& pilot, const Method& method);
+
+/// An error with what it is seen by.
+v1::Accuracy accuracy_of(const v1::ColorError& error, v1::Observer observer, const Xyz& white);
+
+/// What a pixel costs on average, in the counted ns of Method::resolve_cost: its rays, and what a
+/// method makes of them.
+double counted_pixel_cost(const Method& method, const std::vector<Gather>& pixels,
+                          const v1::Plan& plan);
 
 /// The plan of the pilot's scene with another method.
 v1::Plan plan_with(const PilotScene& pilot, const v1::Method& method);

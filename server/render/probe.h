@@ -10,10 +10,12 @@
 
 namespace metamer {
 
-/// A run of the places of a sequence that fills the picture evenly (M. Roberts' R2, the plastic
-/// number's powers): runs that do not overlap are of different pixels, but for chance.
+/// A run of the places of a sequence. It fills the picture evenly (M. Roberts' R2, the plastic
+/// number's powers): runs that do not overlap are of different pixels, but for chance. Or its
+/// places are drawn at random, each by itself: by SplitMix64, so the same ones each time.
 struct PixelRun {
   std::uint32_t first, count;
+  bool random = false;
 };
 
 /// Pixels before any spectrum: sums over the samples of each.
@@ -32,7 +34,8 @@ class Probe {
   virtual bool prepare(const std::atomic<bool>& cancelled) = 0;
 
   /// The pixels of the run, by the CPU's tracer; with few samples also those that share a packet
-  /// with them. Stops early, with what it has, once `stopped`; `work` counts pixels.
+  /// with them, of which an even run has as many fewer places. Stops early, with what it has, once
+  /// `stopped`; `work` counts pixels.
   virtual TracedPixels trace(const v1::Plan& plan, PixelRun run, const std::atomic<bool>& stopped,
                              std::atomic<std::uint64_t>& work) const = 0;
 

@@ -117,7 +117,7 @@ bool Job::finish(v1::JobDone done) {
   timing.set_queued(queued_seconds_);
   // What was timed from the first RenderTiles on includes what the worker did before its first
   // tile.
-  timing.set_render(std::max(0.0, render_seconds_ - done.setup()));
+  timing.set_render(std::max(0.0, render_seconds_ - done.setup() - timing.verify()));
   timing.set_total(running_seconds_);
   timing.set_rays(rays_);
   v1::JobEvent event;
@@ -181,6 +181,7 @@ Result<void> Job::plan(const v1::Plan& plan) {
   height_ = plan.height();
   tile_size_ = plan.tile_size();
   method_ = plan.method();
+  verifies_ = plan.verify_cost() > 0;
   grid_ = TileGrid(width_, height_, tile_size_);
   append_planned(plan);
   return {};
@@ -194,7 +195,7 @@ void Job::append_planned(const v1::Plan& plan) {
 
 bool Job::make_film() {
   assert(planned_);
-  render_since_ = Clock::now();
+  render_since_ = whole_since_ = Clock::now();
   if (film_.ok()) return true;
   film_ = Film(width_, height_);
   if (!film_.ok()) return false;
@@ -235,6 +236,7 @@ void Job::add_tile(std::uint32_t index, std::uint64_t rays) {
   log_.append_tile(index, seconds());
 
   const auto now = Clock::now();
+  whole_since_ = now;
   if (now >= next_progress_ || tiles_done_ == grid_.size()) {
     next_progress_ = now + progress_interval;
     append_progress();
@@ -248,15 +250,24 @@ void Job::add_tile(std::uint32_t index, std::uint64_t rays) {
   wake();
 }
 
-void Job::append_progress() {
+void Job::add_verified(std::uint32_t tiles) {
+  append_progress(tiles);
+  wake();
+}
+
+void Job::append_progress(std::uint32_t verified) {
   v1::JobEvent event;
   v1::Progress& progress = *event.mutable_progress();
   progress.set_tiles_done(tiles_done_);
   progress.set_tiles(grid_.size());
   progress.set_rays(rays_);
-  const double attempt = between(render_since_, Clock::now());
+  progress.set_tiles_verified(verified);
+  const auto now = Clock::now();
+  const double attempt = between(render_since_, now);
   progress.set_seconds(render_seconds_ + attempt);
-  progress.set_seconds_left(attempt * (grid_.size() - tiles_done_) / attempt_tiles_);
+  progress.set_seconds_left(verified > 0
+                                ? between(whole_since_, now) * (grid_.size() - verified) / verified
+                                : attempt * (grid_.size() - tiles_done_) / attempt_tiles_);
   log_.replace_progress(std::move(event), seconds());
 }
 

@@ -73,6 +73,8 @@ class Job {
   std::vector<std::uint32_t> missing_tiles(std::size_t most) const;
   std::uint32_t tiles_done() const { return tiles_done_; }
   bool tile_done(std::uint32_t index) const { return done_[index]; }
+  /// Its plan says that the whole picture is held against the reference.
+  bool verifies() const { return verifies_; }
   Film& film() { return film_; }
   /// Takes a piece of the factors of a tile that is not done, or, without one, of the scene.
   /// Errors, with nothing taken: more than is kept, of a tile or in all.
@@ -80,6 +82,8 @@ class Job {
   /// Says that the film now holds tile `index`, which was not done. Adds progress and a preview
   /// where they are due.
   void add_tile(std::uint32_t index, std::uint64_t rays);
+  /// All tiles are done, and that many of them verified.
+  void add_verified(std::uint32_t tiles);
 
   /// What a watcher reads. The pixels of a tile are put in from the film, and
   /// with `factors` what is kept of these.
@@ -109,7 +113,7 @@ class Job {
   void append(v1::JobEvent event);
   void append_last(v1::JobEvent event);
   void append_planned(const v1::Plan& plan);
-  void append_progress();
+  void append_progress(std::uint32_t verified = 0);
   void wake();
   v1::JobEvent queued_event(std::uint32_t ahead) const;
 
@@ -124,6 +128,7 @@ class Job {
   std::uint32_t losses_ = 0;  // workers lost
   bool planned_ = false;
   bool restarted_ = false;
+  bool verifies_ = false;
   bool replans_ = false;  // restarted, and its new plan has not come yet
   std::uint32_t width_ = 0;
   std::uint32_t height_ = 0;
@@ -144,6 +149,7 @@ class Job {
   Clock::time_point submitted_ = Clock::now();
   Clock::time_point state_since_ = submitted_;
   Clock::time_point render_since_ = submitted_;
+  Clock::time_point whole_since_ = submitted_;
   Clock::time_point next_progress_ = submitted_;
   Clock::time_point next_preview_ = submitted_;
   double queued_seconds_ = 0;

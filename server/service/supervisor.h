@@ -79,12 +79,15 @@ class Supervisor {
   void on_planned(const v1::Plan& plan);
   void on_factors(const v1::FactorsPiece& piece);
   void on_tile(const v1::TileDone& tile);
+  void on_verified(std::uint32_t tiles);
   void on_done(v1::JobDone done);
   void on_failed(v1::Failed failed);
   void on_stopped();
 
   /// Asks for the next batch of missing tiles; false when none is missing.
   bool send_next_tiles();
+  void send_check();
+  bool give_tiles();
   void send_stop();
   bool copy_tile(const Rect& rect);
   /// Ends the worker because of what it said or did.

@@ -22,6 +22,7 @@ void Supervisor::on_message(v1::WorkerEnvelope message) {
       return on_view(std::move(*message.mutable_view_event()));
     case Body::kPlanned:
     case Body::kTileDone:
+    case Body::kTilesVerified:
     case Body::kFactorsPiece:
     case Body::kDone:
     case Body::kStopped:
@@ -54,6 +55,7 @@ void Supervisor::on_message(v1::WorkerEnvelope message) {
   if (message.has_planned()) return on_planned(message.planned().plan());
   if (message.has_factors_piece()) return on_factors(message.factors_piece());
   if (message.has_tile_done()) return on_tile(message.tile_done());
+  if (message.has_tiles_verified()) return on_verified(message.tiles_verified().tiles());
   if (message.has_done()) return on_done(std::move(*message.mutable_done()));
   if (message.has_failed()) return on_failed(std::move(*message.mutable_failed()));
 }
@@ -88,13 +90,15 @@ void Supervisor::on_planned(const v1::Plan& plan) {
     job_->finish({});
     return job_is_over();
   }
-  if (!job_->make_film() || !worker_->size_film(job_->film_bytes())) {
+  if (!job_->make_film() || !worker_->size_film(job_->film_bytes()) ||
+      (job_->verifies() && !give_tiles())) {
     job_->fail(v1::Failed::SERVER, "no memory for the picture");
     return job_is_over();
   }
   state_ = State::rendering;
   if (send_next_tiles()) return;
   // It was paused between its last tile and the worker's word that it is done.
+  if (job_->verifies()) return send_check();
   job_->finish({});
   job_is_over();
 }
@@ -125,6 +129,29 @@ bool Supervisor::send_next_tiles() {
   }
   render.set_last(batch_missing_ == job_->tiles().size() - job_->tiles_done());
   worker_->send(std::move(message));
+  return true;
+}
+
+void Supervisor::send_check() {
+  batch_missing_ = 0;
+  v1::WorkerEnvelope message;
+  message.set_job_id(job_->id());
+  message.mutable_render_tiles()->set_last(true);
+  worker_->send(std::move(message));
+}
+
+/// The tiles that an earlier worker has rendered.
+bool Supervisor::give_tiles() {
+  const Film& film = job_->film();
+  for (std::uint32_t index = 0; index < job_->tiles().size(); ++index) {
+    if (!job_->tile_done(index)) continue;
+    const Rect rect = job_->tiles().rect(index);
+    for (std::uint32_t y = rect.y; y < rect.y + rect.height; ++y) {
+      const std::uint64_t offset = (std::uint64_t{y} * film.width() + rect.x) * Film::pixel_bytes;
+      if (!worker_->write_film(offset, film.at(rect.x, y), rect.width * Film::pixel_bytes))
+        return false;
+    }
+  }
   return true;
 }
 
@@ -161,6 +188,13 @@ void Supervisor::on_tile(const v1::TileDone& tile) {
   if (!copy_tile(to_rect(tile.tile()))) return distrust("truncated the shared memory");
   --batch_missing_;
   job_->add_tile(*index, tile.rays());
+}
+
+void Supervisor::on_verified(std::uint32_t tiles) {
+  if (state_ != State::rendering || batch_missing_ > 0 || !job_->verifies() ||
+      tiles > job_->tiles().size())
+    return distrust("verified tiles that were not asked for");
+  job_->add_verified(tiles);
 }
 
 void Supervisor::on_done(v1::JobDone done) {

@@ -239,6 +239,19 @@ bool WorkerProcess::read_film(std::uint64_t offset, void* to, std::size_t bytes)
   return true;
 }
 
+bool WorkerProcess::write_film(std::uint64_t offset, const void* from, std::size_t bytes) {
+  const auto* next = static_cast<const char*>(from);
+  while (bytes > 0) {
+    const ssize_t written = ::pwrite(film_, next, bytes, static_cast<off_t>(offset));
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    next += written;
+    offset += static_cast<std::uint64_t>(written);
+    bytes -= static_cast<std::size_t>(written);
+  }
+  return true;
+}
+
 void WorkerProcess::kill(std::string reason) {
   // What it did explains more than how it ended, even where it was quicker to end by itself.
   if (kill_reason_.empty()) kill_reason_ = std::move(reason);

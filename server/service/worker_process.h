@@ -54,6 +54,8 @@ class WorkerProcess : public std::enable_shared_from_this<WorkerProcess> {
   /// Copies from the shared memory. False when it is shorter than that. By reading, not by mapping:
   /// a worker that truncates the memory would end the daemon with SIGBUS.
   bool read_film(std::uint64_t offset, void* to, std::size_t bytes) const;
+  /// Copies into it. False when the system refuses.
+  bool write_film(std::uint64_t offset, const void* from, std::size_t bytes);
 
   /// Ends the process at once. Its exit is reported with `reason` instead of what the system says.
   void kill(std::string reason);

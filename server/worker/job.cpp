@@ -8,6 +8,7 @@
 #include "server/film/factor_sink.h"
 #include "server/plan/color_notices.h"
 #include "server/render/choose.h"
+#include "server/render/verify.h"
 #include "server/scene/camera_space.h"
 #include "server/scene/compile.h"
 #include "server/worker/assets.h"
@@ -97,7 +98,7 @@ void Job::compile(const v1::CompileJob& message) {
   // Plan, and let the daemon decide.
   if (!make_plan(message)) return send_stopped();
   timing_.set_compile(seconds_since(begun_) - timing_.pilot() - timing_.prepare() -
-                      (timing_.pilot() > 0 ? timing_.acceleration() : 0));
+                      timing_.acceleration());
   planned_setup_ = timing_.acceleration() + timing_.prepare();
   v1::WorkerEnvelope planned = envelope();
   *planned.mutable_planned()->mutable_plan() = plan_;
@@ -141,6 +142,7 @@ bool Job::make_plan(const v1::CompileJob& message) {
   notice_ends_of_data(*scene_, plan_);
   plan_.mutable_prediction()->Assign(predictions.begin(), predictions.end());
   if (has_goal) *plan_.mutable_auto_() = goal;
+  if (settings_.verify() && !plan_verification()) return false;
   const auto say = [&](const char* field, const std::string& message) {
     v1::Notice* notice = plan_.add_notice();
     notice->set_field(field);
@@ -152,6 +154,22 @@ bool Job::make_plan(const v1::CompileJob& message) {
   return true;
 }
 
+/// Says what the check of every pixel will cost. False when stopped.
+bool Job::plan_verification() {
+  if (!build([&] { return probe_->prepare(stopped_); })) return false;
+  const auto start = Clock::now();
+  const Capabilities capabilities = options_.plan_capabilities();
+  plan_.set_verify_cost(metamer::verify_cost(
+      {*scene_, *probe_, settings_, capabilities, stopped_, work_}, plan_, *method_));
+  char text[96];
+  std::snprintf(text, sizeof text,
+                "a check of every pixel against the reference: about %.2g times the picture's work",
+                plan_.verify_cost());
+  plan_.add_need(text);
+  timing_.set_pilot(timing_.pilot() + seconds_since(start));
+  return !stopped_;
+}
+
 void Job::render(const v1::RenderTiles& message) {
   ended_ = false;
   for (const v1::TileRect& tile : message.tile())
@@ -159,7 +177,10 @@ void Job::render(const v1::RenderTiles& message) {
   const MappedFilm film(options_.film_descriptor, plan_);
   if (!film) return send_failure(v1::Failed::SERVER, "no shared memory for the picture");
 
-  const auto drawn = draw(message, {film.xyz(), plan_.width(), plan_.height()});
+  const Film picture{film.xyz(), plan_.width(), plan_.height()};
+  auto drawn = draw(message, picture);
+  v1::WorkerEnvelope done = envelope();
+  if (drawn && message.last() && !stopped_) drawn = conclude(picture, *done.mutable_done());
   if (stopped_) return send_stopped();
   if (!drawn) {
     send_failure(v1::Failed::SERVER, drawn.error().message);
@@ -167,11 +188,27 @@ void Job::render(const v1::RenderTiles& message) {
     if (!options_.backend->is_sound()) std::_Exit(1);
     return;
   }
-  v1::WorkerEnvelope done = envelope();
   *done.mutable_done()->mutable_timing() = timing_;
   done.mutable_done()->set_setup(timing_.acceleration() + timing_.prepare() - planned_setup_);
-  if (plan_.has_auto_() && message.last()) measure_promise(*done.mutable_done());
   send_last(done);
+}
+
+/// The picture is whole: what it is worth, beside what was promised.
+Result<void> Job::conclude(const Film& film, v1::JobDone& done) {
+  const double elapsed = seconds_since(begun_);
+  if (settings_.verify()) {
+    if (auto verified = verify(film, done); !verified || stopped_) return verified;
+  } else if (plan_.has_auto_()) {
+    measure_promise(done);
+  }
+  if (stopped_ || !plan_.has_auto_()) return {};
+  v1::Accuracy& accuracy = *done.mutable_accuracy();
+  const bool timed = plan_.auto_().has_deadline();
+  accuracy.set_kept(timed ? elapsed <= plan_.auto_().deadline()
+                          : accuracy.error().maximum() <= plan_.auto_().tolerance());
+  if (!timed && !accuracy.kept() && !plan_.method().has_exact())
+    done.mutable_better()->mutable_exact();
+  return {};
 }
 
 /// Builds a hierarchy while the views have their turns. False when stopped.
@@ -203,20 +240,36 @@ Result<void> Job::prepare() {
   return changed;
 }
 
-/// Holds the promise against pixels that had no part in the choice.
+/// By pixels that had no part in the choice.
 void Job::measure_promise(v1::JobDone& done) {
-  const double elapsed = seconds_since(begun_);
   const Capabilities capabilities = options_.plan_capabilities();
   if (!build([&] { return probe_->prepare(stopped_); })) return;  // stopped
-  v1::Accuracy& accuracy = *done.mutable_accuracy();
-  *accuracy.mutable_error() =
+  *done.mutable_accuracy() =
       measure({*scene_, *probe_, settings_, capabilities, stopped_, work_}, *method_);
-  if (plan_.auto_().has_deadline()) return accuracy.set_kept(elapsed <= plan_.auto_().deadline());
-  accuracy.set_kept(accuracy.error().maximum() <= plan_.auto_().tolerance());
-  if (!accuracy.kept() && !plan_.method().has_exact()) done.mutable_better()->mutable_exact();
 }
 
-/// Draws the tiles, until others have waited for a turn's time, and so on.
+/// By all pixels: the renderer draws the picture once more, by the reference.
+Result<void> Job::verify(const Film& film, v1::JobDone& done) {
+  const auto start = Clock::now();
+  Verification check(*scene_, plan_, film);
+  prepared_ = false;  // it will know another method
+  const auto changed = renderer_->change(check.plan(), check.method(), stopped_);
+  ++work_;
+  if (!changed || stopped_) return changed;
+  renderer_->begin(check.picture([&](std::uint32_t tiles) {
+    constexpr std::uint64_t steps = 50;  // that are told of
+    if (tiles * steps / check.tiles() == (tiles - 1) * steps / check.tiles()) return;
+    v1::WorkerEnvelope message = envelope();
+    message.mutable_tiles_verified()->set_tiles(tiles);
+    link_.send(message);
+  }));
+  if (auto drawn = draw_on(); !drawn || stopped_) return drawn;
+  *done.mutable_accuracy() = check.accuracy();
+  timing_.set_verify(seconds_since(start));
+  return {};
+}
+
+/// Draws the tiles.
 Result<void> Job::draw(const v1::RenderTiles& message, const Film& film) {
   if (auto ready = prepare(); !ready || stopped_ || message.tile().empty()) return ready;
   Picture picture{.film = film,
@@ -227,6 +280,13 @@ Result<void> Job::draw(const v1::RenderTiles& message, const Film& film) {
   for (const v1::TileRect& tile : message.tile())
     picture.tiles.push_back({tile.x(), tile.y(), tile.width(), tile.height()});
   renderer_->begin(std::move(picture));
+  auto drawn = draw_on();
+  renderer_->report(timing_);
+  return drawn;
+}
+
+/// Draws on what the renderer has begun, until others have waited for a turn's time, and so on.
+Result<void> Job::draw_on() {
   for (;;) {
     const auto begun = Clock::now();
     const auto is_over = [&] { return view_turns_.waiting() && Clock::now() - begun > turn_time; };
@@ -235,7 +295,6 @@ Result<void> Job::draw(const v1::RenderTiles& message, const Film& film) {
     if (*whole || stopped_) break;
     view_turns_.serve();
   }
-  renderer_->report(timing_);
   return {};
 }
 

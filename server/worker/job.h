@@ -48,7 +48,8 @@ class Job {
   void compile(const v1::CompileJob& message);
 
   /// Builds what the plan needs (the first time), renders the tiles in their order; sends TileDone
-  /// for each, then JobDone, Failed or JobStopped. Only after a JobPlanned; any number of times.
+  /// for each, then, where that is asked for, holds the whole picture against the reference; sends
+  /// JobDone, Failed or JobStopped. Only after a JobPlanned; any number of times.
   void render(const v1::RenderTiles& message);
 
   /// Makes the running step end soon with JobStopped.
@@ -70,10 +71,14 @@ class Job {
   void send_last(const v1::WorkerEnvelope& message);
   bool make_plan(const v1::CompileJob& message);
   bool build(const std::function<bool()>& prepare);
+  bool plan_verification();
   void prepare_method();
   Result<void> prepare();
   Result<void> draw(const v1::RenderTiles& message, const Film& film);
+  Result<void> draw_on();
+  Result<void> conclude(const Film& film, v1::JobDone& done);
   void measure_promise(v1::JobDone& done);
+  Result<void> verify(const Film& film, v1::JobDone& done);
   bool send_factors(const v1::TileRect* tile, const std::string& bytes);
   void take(const DrawnTile& drawn);
 

@@ -56,6 +56,7 @@ bool Lane::take(const v1::WorkerEnvelope& message) {
     case v1::WorkerEnvelope::kHeartbeat:
     case v1::WorkerEnvelope::kPlanned:
     case v1::WorkerEnvelope::kTileDone:
+    case v1::WorkerEnvelope::kTilesVerified:
     case v1::WorkerEnvelope::kDone:
     case v1::WorkerEnvelope::kFactorsPiece:
     case v1::WorkerEnvelope::kStopped:

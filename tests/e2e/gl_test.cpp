@@ -29,6 +29,21 @@ TEST(Gl, RendersWhatTheCpuRenders) {
   }
 }
 
+TEST(Gl, VerifiesItsPicturesByItself) {
+  const Daemon daemon;
+  Folder folder;
+  const std::string scene = folder.write("scene.txtpb", small_scene());
+  const auto verified = [&](const std::string& method) {
+    return daemon.json({"render", scene, "--backend", "gl", "--verify", "--method", method, "-o",
+                        folder / "a.png"});
+  };
+  const Json exact = verified("exact");
+  ASSERT_EQ(exact["exit_code"], 0) << exact;
+  EXPECT_EQ(exact["accuracy"]["error"]["share"], 1);
+  EXPECT_LT(exact["accuracy"]["error"]["maximum"].get<double>(), 0.02);
+  EXPECT_GT(verified("rgb")["accuracy"]["error"]["maximum"].get<double>(), 0.5);
+}
+
 TEST(Gl, SaysThatMirrorsAreLeftOut) {
   const Daemon daemon;
   Folder folder;

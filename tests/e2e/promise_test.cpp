@@ -83,6 +83,53 @@ TEST_F(Promised, ABrokenOneHasItsExitCodeAndThePictureIsThereAllTheSame) {
   EXPECT_TRUE(std::filesystem::exists(file));
 }
 
+TEST_F(Promised, SaysHowManyOfAllPixelsAreKnownToKeepIt) {
+  const Json answer = daemon.json({"render", scene, "--tolerance", "1", "-o", folder / "a.png"});
+  const Json& accuracy = answer["accuracy"];
+  EXPECT_GT(accuracy["error"]["share"].get<double>(), 0.9);
+  EXPECT_LT(accuracy["error"]["share"].get<double>(), 1);
+  EXPECT_EQ(accuracy["white"].size(), 3u);
+  EXPECT_EQ(accuracy["observer"], "cie-1931-2deg");
+}
+
+TEST_F(Promised, AVerifiedPictureIsKnownPixelByPixelWithAGoalAndWithout) {
+  const Json plain =
+      daemon.json({"render", scene, "--verify", "--exr", "xyz", "-o", folder / "a.exr"});
+  ASSERT_EQ(plain["exit_code"], 0) << plain;
+  EXPECT_GT(plain["plan"]["verify_cost"].get<double>(), 0);
+  const Json& error = plain["accuracy"]["error"];
+  EXPECT_EQ(error["share"], 1);
+  EXPECT_EQ(error["pixels"].get<int>(),
+            plain["plan"]["width"].get<int>() * plain["plan"]["height"].get<int>());
+  EXPECT_LT(error["maximum"].get<double>(), 0.02);
+  EXPECT_GT(plain["timing"]["verify"].get<double>(), 0);
+  EXPECT_TRUE(plain["accuracy"]["kept"].get<bool>());
+
+  // The naive way is off, and nothing was promised.
+  const Json naive = daemon.json(
+      {"render", scene, "--verify", "--method", "rgb", "--exr", "xyz", "-o", folder / "b.exr"});
+  EXPECT_EQ(naive["exit_code"], 0);
+  EXPECT_GT(naive["accuracy"]["error"]["maximum"].get<double>(), 0.5);
+  std::string white;
+  for (const Json& value : naive["accuracy"]["white"])
+    white += (white.empty() ? "" : ",") + std::to_string(value.get<double>());
+  const Ended compared =
+      metamer({"compare", folder / "b.exr", folder / "a.exr", "--white", white, "--json"});
+  const Json difference = parse_document(compared.out)["difference"];
+  for (const char* statistic : {"mean", "percentile_95", "maximum"})
+    EXPECT_NEAR(naive["accuracy"]["error"][statistic].get<double>(),
+                difference[statistic].get<double>(), 0.01)
+        << statistic;
+
+  const Ended broken =
+      daemon.metamer({"render", scene, "--verify", "--tolerance", "1e-9", "-o", folder / "c.exr"});
+  EXPECT_EQ(broken.code, 6) << broken.err;
+  EXPECT_NE(broken.err.find("verified, at about"), std::string::npos) << broken.err;
+  EXPECT_NE(broken.err.find("the promise is broken by exact: ΔE00 against the reference, on all"),
+            std::string::npos)
+      << broken.err;
+}
+
 TEST_F(Promised, WordsThatMakeNoSenseAreRefused) {
   const auto refused = [&](std::vector<std::string> words) {
     words.insert(words.begin(), {"render", scene, "-o", folder / "a.png"});

@@ -71,6 +71,9 @@ ExitCode write_output(const OutputOptions& options, JobRecord& job, const std::s
   std::map<std::string, std::string> metadata = {{"metamer:scene", name}};
   google::protobuf::TextFormat::PrintToString(job.last.finished().timing(),
                                               &metadata["metamer:timing"]);
+  if (job.last.finished().has_accuracy())
+    google::protobuf::TextFormat::PrintToString(job.last.finished().accuracy(),
+                                                &metadata["metamer:accuracy"]);
   std::optional<Factors> factors;
   if (job.factors) factors = job.factors->finish();
   const bool missing = !factors && wanted(options) == JobParts::picture_and_factors;

@@ -24,7 +24,12 @@ std::string describe_kind(const v1::JobEvent& event) {
       return "planned: " + describe(event.planned().plan());
     case v1::JobEvent::kProgress:
       return "progress " + tiles(event.progress().tiles_done(), event.progress().tiles()) +
-             " tiles, " + std::to_string(event.progress().rays()) + " rays, " +
+             " tiles, " +
+             (event.progress().tiles_verified() > 0
+                  ? tiles(event.progress().tiles_verified(), event.progress().tiles()) +
+                        " verified, "
+                  : std::string()) +
+             std::to_string(event.progress().rays()) + " rays, " +
              clock(event.progress().seconds_left()) + " left";
     case v1::JobEvent::kTile:
       return "tile at " + std::to_string(event.tile().x()) + ',' + std::to_string(event.tile().y());
@@ -75,6 +80,8 @@ std::string describe(const v1::Plan& plan) {
   text += counted(plan.materials(), "material", "materials") + ", ";
   text += counted(plan.triangles(), "triangle", "triangles") + ", ";
   text += counted(plan.threads(), "thread", "threads");
+  if (plan.verify_cost() > 0)
+    text += formatted("; verified, at about %.2g times the picture's work", plan.verify_cost());
   return text;
 }
 

@@ -14,8 +14,9 @@
 //   broken             say that the promise is broken and that `exact` is better, which is the
 //   plan's
 //                      method once it is asked for
-//   factors N          send N bytes of factors for the scene, and N for each tile
-//   once               the trouble above comes in the first attempt only
+//   verify             plan a check of the picture; the promise is kept if the memory holds all of
+//   it factors N          send N bytes of factors for the scene, and N for each tile once the
+//   trouble above comes in the first attempt only
 // A pixel of the picture is (x, y, 1). A file beside the store can spoil the start: `no-start`
 // makes it exit with code 3, `never-ready` keeps it from saying that it is ready.
 
@@ -136,6 +137,7 @@ class Job {
       plan.set_height(script_.height);
       plan.set_tile_size(script_.tile);
       *plan.mutable_method() = chosen_;
+      if (script_.has("verify")) plan.set_verify_cost(2);
     }
     send(message);
   }
@@ -155,13 +157,17 @@ class Job {
       while (shrinks) ::pause();
     }
     if (!stopped_) trouble();
+    const bool verifies = script_.has("verify") && request.last();
+    const bool whole = is_whole(static_cast<const float*>(memory));
     ::munmap(memory, bytes);
     v1::WorkerEnvelope message;
     message.set_job_id(id_);
     if (stopped_) {
       message.mutable_stopped();
     } else {
+      if (verifies) tell_verified();
       message.mutable_done()->mutable_timing()->set_compile(0.25);
+      if (verifies) message.mutable_done()->mutable_accuracy()->set_kept(whole);
       if (script_.has("broken") && !chosen_.has_exact())
         message.mutable_done()->mutable_better()->mutable_exact();
     }
@@ -240,6 +246,22 @@ class Job {
         pixel[2] = 1;
       }
     }
+  }
+
+  bool is_whole(const float* pixels) const {
+    for (std::uint32_t y = 0; y < script_.height; ++y)
+      for (std::uint32_t x = 0; x < script_.width; ++x, pixels += 3)
+        if (pixels[0] != static_cast<float>(x) || pixels[1] != static_cast<float>(y) ||
+            pixels[2] != 1)
+          return false;
+    return true;
+  }
+
+  void tell_verified() const {
+    v1::WorkerEnvelope message;
+    message.set_job_id(id_);
+    message.mutable_tiles_verified()->set_tiles(3);
+    send(message);
   }
 
   /// In pieces of 100 bytes, "fff…".

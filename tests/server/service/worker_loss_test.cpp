@@ -139,6 +139,24 @@ TEST(WorkerLoss, KilledFromOutsideLosesNoTile) {
   EXPECT_EQ(after.last_exit(), "killed by signal 9 (Killed)");
 }
 
+TEST(WorkerLoss, WhoChecksThePictureHasTheTilesOfEarlierWorkersToo) {
+  Daemon daemon;
+  Client client(daemon.socket());
+  client.hello();
+  for (const std::string trouble : {"crash 5", "crash 12"}) {  // 12: nothing is left but the check
+    client.watch(client.submit("verify once " + trouble));
+    bool told = false;
+    v1::JobEvent event;
+    do {
+      event = client.receive_event();
+      told = told || event.progress().tiles_verified() == 3;
+    } while (!ends(event));
+    ASSERT_TRUE(event.has_finished()) << trouble << ": " << event.ShortDebugString();
+    EXPECT_TRUE(event.finished().accuracy().kept()) << trouble;
+    EXPECT_TRUE(told) << trouble;
+  }
+}
+
 TEST(WorkerLoss, PingsAreAnsweredWhileAWorkerIsStopped) {
   Daemon daemon([](ServiceOptions& options) { options.worker.worker_timeout = milliseconds(700); });
   Client client(daemon.socket());

@@ -88,6 +88,73 @@ TEST_F(WorkerJob, DrawsNothingWhereNoTilesAreMissing) {
   EXPECT_EQ(backend_.seen.pictures, 0);
 }
 
+TEST_F(WorkerJob, VerifiesEveryPixelOfThePictureAsItIsInTheMemory) {
+  job_.compile(compile_message(ball_scene(std::string(settings) + " verify: true")));
+  v1::RenderTiles message = both_tiles();
+  job_.render(message);  // more tiles are to come
+  message.set_last(true);
+  job_.render(message);
+  const auto all = sent();
+  ASSERT_GT(all.size(), 4u);
+  EXPECT_GT(all[0].planned().plan().verify_cost(), 0);
+  EXPECT_FALSE(all[3].done().has_accuracy());
+  const v1::Accuracy same = all.back().done().accuracy();
+  EXPECT_EQ(same.error().pixels(), 32u * 16);
+  EXPECT_EQ(same.error().share(), 1);
+  EXPECT_EQ(same.error().maximum(), 0) << "the fake draws the same by every method";
+  EXPECT_TRUE(same.kept());
+  EXPECT_GT(all.back().done().timing().verify(), 0);
+  EXPECT_EQ(all[all.size() - 2].tiles_verified().tiles(), 2u);
+
+  // One pixel is another one, and no tile is drawn again.
+  void* memory =
+      mmap(nullptr, 64 * 64 * 12, PROT_READ | PROT_WRITE, MAP_SHARED, options_.film_descriptor, 0);
+  static_cast<float*>(memory)[(3 * 32 + 20) * 3 + 1] *= 2;
+  v1::RenderTiles none;
+  none.set_last(true);
+  job_.render(none);
+  const v1::ColorError other = sent().back().done().accuracy().error();
+  EXPECT_GT(other.maximum(), 1);
+  EXPECT_NEAR(other.mean() * 32 * 16, other.maximum(), 1e-9);
+  EXPECT_EQ(other.percentile_95(), 0);
+}
+
+TEST_F(WorkerJob, StopsInTheMiddleOfACheckAndFailsWhereItsDeviceIsLost) {
+  job_.compile(compile_message(ball_scene(std::string(settings) + " verify: true")));
+  v1::RenderTiles message = both_tiles();
+  message.set_last(true);
+  int tiles = 0;
+  backend_.before_tile = [&] {
+    if (++tiles == 4) job_.stop();
+  };
+  job_.render(message);
+  EXPECT_EQ(sent().back().body_case(), v1::WorkerEnvelope::kStopped);
+
+  Job other(6, options_, link_, work_, turns_);
+  tiles = 0;
+  backend_.before_tile = [&] {
+    if (++tiles == 2) backend_.draw_problem = "the device is lost";
+  };
+  other.compile(compile_message(ball_scene(std::string(settings) + " verify: true")));
+  other.render(message);
+  EXPECT_EQ(sent().back().failed().reason(), "the device is lost");
+}
+
+TEST_F(WorkerJob, APromiseThatOnePixelBreaksIsBroken) {
+  job_.compile(
+      compile_message(ball_scene(std::string(settings) + " verify: true goal { tolerance: 0.5 }")));
+  v1::RenderTiles message = both_tiles();
+  message.set_last(true);
+  job_.render(message);
+  EXPECT_TRUE(sent().back().done().accuracy().kept());
+  void* memory =
+      mmap(nullptr, 64 * 64 * 12, PROT_READ | PROT_WRITE, MAP_SHARED, options_.film_descriptor, 0);
+  static_cast<float*>(memory)[(3 * 32 + 20) * 3] *= 2;
+  message.clear_tile();
+  job_.render(message);
+  EXPECT_FALSE(sent().back().done().accuracy().kept());
+}
+
 TEST_F(WorkerJob, SaysWhatIsWrongWithAScene) {
   job_.compile(
       compile_message(ball_scene(settings, "object { name: 'ball' sphere { radius: 1 } }")));
