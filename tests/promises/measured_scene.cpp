@@ -5,24 +5,25 @@
 #include "common/scene/settings.h"
 #include "server/cpu/tracer.h"
 #include "server/scene/camera_space.h"
+#include "tests/promises/plain_truth.h"
 #include "tests/server/test_scene.h"
 
 namespace metamer::promises {
 namespace {
 
-class ReferenceSink : public PixelSink {
+class TruthSink : public PixelSink {
  public:
-  ReferenceSink(Reference& reference, const v1::Settings& settings, std::vector<Lab>& to)
-      : reference_(reference), settings_(settings), to_(to) {
+  TruthSink(PlainTruth& truth, const v1::Settings& settings, std::vector<Lab>& to)
+      : truth_(truth), settings_(settings), to_(to) {
     to_.resize(std::size_t{settings.width()} * settings.height());
   }
   void take(std::uint32_t x, std::uint32_t y, const Gather& gather) override {
     to_[std::size_t{y} * settings_.width() + x] =
-        to_lab(reference_.resolve(gather, 1.0 / settings_.spp()), reference_.white());
+        to_lab(truth_.resolve(gather, 1.0 / settings_.spp()), truth_.white());
   }
 
  private:
-  Reference& reference_;
+  PlainTruth& truth_;
   const v1::Settings& settings_;
   std::vector<Lab>& to_;
 };
@@ -44,9 +45,9 @@ MeasuredScene::MeasuredScene(const VariedScene& scene)
       geometry_(std::make_shared<cpu::Geometry>(scene_, 1)),
       probe_(geometry_) {
   probe_.prepare(never_);
-  Reference reference(scene_, to_observer(settings_.observer()));
-  white_ = reference.white();
-  ReferenceSink sink(reference, settings_, truth_);
+  PlainTruth truth(scene_, to_observer(settings_.observer()));
+  white_ = truth.white();
+  TruthSink sink(truth, settings_, truth_);
   trace_all(pilot(), geometry_->embree(), sink);
 }
 

@@ -9,7 +9,7 @@
 
 namespace metamer::promises {
 
-/// A scene of which the truth is known: every pixel by the reference.
+/// A scene of which the truth is known: every pixel by plain sums (PlainTruth).
 class MeasuredScene {
  public:
   explicit MeasuredScene(const VariedScene& scene);

@@ -5,6 +5,8 @@
 #include <functional>
 #include <random>
 
+#include "tests/server/methods/lamps.h"
+
 namespace metamer::promises {
 namespace {
 
@@ -71,6 +73,44 @@ Drawn draw_light(Draw& draw) {
   }
 }
 
+/// So many lines of `narrow` to `wide` nm (full width at half maximum), rising, 8 nm apart or more.
+std::vector<test::GaussianLine> draw_lines(Draw& draw, std::uint32_t count, double narrow,
+                                           double wide) {
+  std::vector<test::GaussianLine> lines;
+  const double room = 250.0 / count;
+  for (std::uint32_t i = 0; i < count; ++i)
+    lines.push_back({draw.between(410 + i * room, 402 + (i + 1) * room),
+                     draw.between(narrow, wide) / 2.355, draw.between(1, 10)});
+  return lines;
+}
+
+Drawn draw_narrow_light(Draw& draw) {
+  const auto lamp = [](const char* name, double step, double continuum,
+                       std::vector<test::GaussianLine> lines) {
+    return Drawn{name, test::text_of(test::samples_of({name, step, continuum, std::move(lines)}))};
+  };
+  switch (draw.below(5)) {
+    case 0:
+      return lamp("lasers", 0, 0, draw_lines(draw, 2 + draw.below(3), 0.05, 0.2));
+    case 1:
+      return lamp("discharge", 0, draw.between(0, 0.3),
+                  draw_lines(draw, 4 + draw.below(6), 0.05, 1));
+    case 2: {
+      const test::GaussianLine laser{draw.between(440, 465), draw.between(0.05, 0.5) / 2.355, 20};
+      return lamp("laser phosphor", 0, 0, {laser, {draw.between(540, 590), 50, 60}});
+    }
+    case 3: {  // with little else: a single line shows every surface in one colour
+      const double nm = draw.between(480, 620);
+      return {"line", print("samples { wavelength: %.2f value: 1 }", nm)};
+    }
+    default: {
+      const double step = draw.between(0, 1) < 0.5 ? 0.1 : 0.5;
+      return lamp("even grid", step, 0.01,
+                  draw_lines(draw, 3 + draw.below(4), 3 * step, 1 + 2 * step));
+    }
+  }
+}
+
 std::string draw_reflectance(Draw& draw) {
   const double low = draw.between(0.02, 0.2), high = draw.between(0.4, 0.95);
   const double center = draw.between(430, 650);
@@ -121,7 +161,7 @@ std::string draw_model(Draw& draw) {
   }
 }
 
-VariedScene draw_scene(std::uint32_t seed, std::uint32_t side, std::uint32_t spp) {
+VariedScene draw_scene(std::uint32_t seed, std::uint32_t side, std::uint32_t spp, bool narrow) {
   Draw draw(seed);
   const std::uint32_t lights = 1 + draw.below(3), materials = 3 + draw.below(6);
   const std::uint32_t depth = draw.below(5);
@@ -131,7 +171,8 @@ VariedScene draw_scene(std::uint32_t seed, std::uint32_t side, std::uint32_t spp
       side, side * 3 / 4, spp, depth);
   std::string names;
   for (std::uint32_t i = 0; i < lights; ++i) {
-    const Drawn light = draw_light(draw);
+    const bool lines = narrow && (i == 0 || draw.below(2) == 0);
+    const Drawn light = lines ? draw_narrow_light(draw) : draw_light(draw);
     names += (names.empty() ? "" : ", ") + light.name;
     text += print("light { name: \"l%u\" position { x: %g y: %g z: %g } luminance: %g spectrum { ",
                   i, draw.between(-3, 3), draw.between(2.5, 4), draw.between(1, 5),
@@ -160,7 +201,14 @@ VariedScene draw_scene(std::uint32_t seed, std::uint32_t side, std::uint32_t spp
 
 std::vector<VariedScene> varied_scenes(std::uint32_t count, std::uint32_t side, std::uint32_t spp) {
   std::vector<VariedScene> scenes;
-  for (std::uint32_t i = 0; i < count; ++i) scenes.push_back(draw_scene(1000 + i, side, spp));
+  for (std::uint32_t i = 0; i < count; ++i)
+    scenes.push_back(draw_scene(1000 + i, side, spp, false));
+  return scenes;
+}
+
+std::vector<VariedScene> narrow_scenes(std::uint32_t count, std::uint32_t side, std::uint32_t spp) {
+  std::vector<VariedScene> scenes;
+  for (std::uint32_t i = 0; i < count; ++i) scenes.push_back(draw_scene(5000 + i, side, spp, true));
   return scenes;
 }
 
