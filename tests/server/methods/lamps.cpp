@@ -100,9 +100,11 @@ const std::vector<double>& PlainSum::wavelengths() {
 PlainSum::PlainSum(const Spectrum& light, cie::Observer observer) {
   std::vector<double> power = resample(light, wavelengths(), Outside::zero).values;
   if (light.nm.back() - light.nm.front() < sum_step) {
-    const auto at = std::lower_bound(wavelengths().begin(), wavelengths().end(), light.nm[1]);
+    const double at = (light.nm[1] - wavelengths().front()) / sum_step;
+    const auto below = static_cast<std::size_t>(at);
     power.assign(power.size(), 0);
-    power[static_cast<std::size_t>(at - wavelengths().begin())] = 1;
+    power[below] = 1 - (at - std::floor(at));
+    power[below + 1] = 1 - power[below];
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     seen_[axis] =

@@ -32,7 +32,7 @@ std::string text_of(const Spectrum& spectrum);
 /// integrals over cells are held against.
 class PlainSum {
  public:
-  /// A line (as_emission) is all in one place.
+  /// A line (as_emission) is shared by its two neighbours.
   PlainSum(const Spectrum& light, cie::Observer observer);
 
   static const std::vector<double>& wavelengths();
