@@ -39,7 +39,7 @@ class Reference {
   ObserverWeights observer_;
   std::size_t bands_;
   std::vector<Values> lights_;    ///< With their luminance, E[3.2-4].
-  Values carriers_;  ///< Of the pixel under way, chain by chain.
+  Values carriers_;               ///< Of the pixel under way, chain by chain.
   FactorValues<double> factors_;  ///< At the cells' wavelengths.
   Xyz white_{1, 1, 1};
 };
