@@ -33,6 +33,12 @@ TEST(Bar, NeverFillsTheLastColumn) {
         << columns;
 }
 
+TEST(Bar, ShowsHowFarTheCheckOfAWholePictureIs) {
+  v1::Progress check = progress_of(100, 100, 1, 1, 9);
+  check.set_tiles_verified(40);
+  EXPECT_EQ(bar(check, 200).substr(41), "]   40 %  verified  0:09 left");
+}
+
 TEST(Bar, KnowsNoRateBeforeTheFirstSecond) {
   EXPECT_EQ(bar(progress_of(0, 0, 0, 0, 0), 30), "  0 %  - Mrays/s  0:00 left");
 }

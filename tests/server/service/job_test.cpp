@@ -98,6 +98,33 @@ TEST_F(JobTest, ARestartDropsTheTilesAndTellsItsNewPlanOnce) {
   EXPECT_FALSE(job->restart("broken again", better));
 }
 
+TEST_F(JobTest, ACheckOfThePictureHasItsOwnProgressAndNoPartInTheRenderTime) {
+  auto job = make_job();
+  job->start();
+  v1::Plan checked = plan(32, 16, 16);
+  checked.set_verify_cost(3);
+  ASSERT_TRUE(job->plan(checked));
+  EXPECT_TRUE(job->verifies());
+  ASSERT_TRUE(job->make_film());
+  job->add_tile(0, 5);
+  job->add_tile(1, 5);
+  job->add_verified(1);
+  v1::Progress progress;
+  for (const v1::JobEvent& event : read(*job, {}))
+    if (event.has_progress()) progress = event.progress();
+  EXPECT_EQ(progress.tiles_done(), 2u);
+  EXPECT_EQ(progress.tiles_verified(), 1u);
+
+  v1::JobDone done;
+  done.mutable_timing()->set_verify(1e6);
+  done.mutable_accuracy()->mutable_error()->set_share(1);
+  ASSERT_TRUE(job->finish(done));
+  const v1::Finished finished = read(*job, {}).back().finished();
+  EXPECT_EQ(finished.timing().render(), 0);
+  EXPECT_EQ(finished.timing().verify(), 1e6);
+  EXPECT_EQ(finished.accuracy().error().share(), 1);
+}
+
 TEST_F(JobTest, PlansBeyondTheLimitsAreRefusedBeforeMemoryIsTaken) {
   auto job = make_job();
   job->start();

@@ -152,7 +152,19 @@ TEST_F(WorkerJob, APromiseThatOnePixelBreaksIsBroken) {
   static_cast<float*>(memory)[(3 * 32 + 20) * 3] *= 2;
   message.clear_tile();
   job_.render(message);
-  EXPECT_FALSE(sent().back().done().accuracy().kept());
+  v1::JobDone done = sent().back().done();
+  EXPECT_FALSE(done.accuracy().kept());
+  EXPECT_FALSE(done.has_better()) << "none is better than exact";
+
+  Job naive(6, options_, link_, work_, turns_);
+  v1::CompileJob compile =
+      compile_message(ball_scene(std::string(settings) + " verify: true goal { tolerance: 0.5 }"));
+  compile.mutable_chosen()->mutable_rgb();
+  naive.compile(compile);
+  naive.render(message);  // the memory as it is, with its pixel
+  done = sent().back().done();
+  EXPECT_FALSE(done.accuracy().kept());
+  EXPECT_TRUE(done.better().has_exact());
 }
 
 TEST_F(WorkerJob, SaysWhatIsWrongWithAScene) {
