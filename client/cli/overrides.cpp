@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "client/cli/development.h"
+#include "client/tools/scene/observers.h"
 #include "client/tools/scene/words.h"
 #include "common/scene/schema.h"
 
@@ -198,10 +199,13 @@ Result<void> add_size(const Overrides& overrides, Look& look) {
 
 Result<void> add_words(const Overrides& overrides, Look& look) {
   if (overrides.observer) {
-    const auto observer = client::observer_named(*overrides.observer);
+    const auto observer = client::choose_observer(*overrides.observer);
     if (!observer) return problem("--observer: " + observer.error().message);
-    look.settings.set_observer(*observer);
+    look.settings.set_observer(observer->cie);
+    look.settings.set_observer_file(observer->file);
     look.mask.add_paths("observer");
+    look.set("observer_file", "--observer");
+    look.replaced.back().file = observer->file;
   }
   if (overrides.backend) {
     const auto backend =

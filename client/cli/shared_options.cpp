@@ -62,7 +62,7 @@ void declare_overrides(Overrides& overrides, Options& options) {
   add("--size", &overrides.size, "WIDTHxHEIGHT in pixels");
   add("--spp", &overrides.spp, "samples per pixel");
   add("--depth", &overrides.depth, "mirror reflections that a path may take");
-  add("--observer", &overrides.observer, "cie-1931-2deg or cie-1964-10deg");
+  add("--observer", &overrides.observer, observer_meaning);
   add("--shading", &overrides.shading,
       "phong, constant, gouraud or quadratic, where an object has none");
   add("--threads", &overrides.threads, "0: as many as the server has");

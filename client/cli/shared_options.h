@@ -34,7 +34,7 @@ struct Overrides {
   bool multi_pass = false;                  ///< Of point, by the gl backend.
   std::optional<std::string> point_lights;  ///< Of point: "better", "samples", "cells"
   std::optional<std::string> size;          ///< "640x480"
-  std::optional<std::string> observer;      ///< "cie-1931-2deg", "cie-1964-10deg"
+  std::optional<std::string> observer;      ///< "cie-1931-2deg", "cie-1964-10deg", a file
   std::optional<std::string> shading;       ///< "phong", "constant", "gouraud", "quadratic"
   std::optional<std::uint32_t> bases;       ///< Of linear.
   std::optional<double> tolerance;          ///< Of auto: ΔE00.
@@ -56,6 +56,10 @@ struct OutputOptions {
 };
 
 using Options = std::vector<Option>;
+
+/// Of --observer.
+inline constexpr const char* observer_meaning =
+    "cie-1931-2deg, cie-1964-10deg, or a file of wavelengths, x̄, ȳ and z̄";
 
 void declare_json(bool& json, Options& options);
 /// --weights: a word of table_weights_words.

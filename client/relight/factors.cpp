@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "client/relight/scene_sources.h"
+#include "common/spectral/observer.h"
 #include "common/transport/factor_kinds.h"
 #include "common/transport/message_tables.h"
 
@@ -30,6 +31,19 @@ std::string factor_fault(const FactorNode& factor, const FactorSources& sources)
   return "names a term that does not exist";
 }
 
+/// What is wrong with its observer; empty: it has none, or nothing.
+std::string observer_fault_in(const v1::SceneFactors& scene) {
+  if (scene.observer().empty()) return {};
+  if (scene.observer_size() != 3) return "its observer has other than three functions";
+  Observer::Functions functions;
+  for (int i = 0; i < 3; ++i) {
+    if (!is_spectrum(scene.observer(i))) return "its observer has no sound spectra";
+    functions[static_cast<std::size_t>(i)] = to_spectrum(scene.observer(i));
+  }
+  const auto fault = observer_fault(functions);
+  return fault ? "its observer has a fault: " + *fault : std::string();
+}
+
 }  // namespace
 
 std::string scene_fault(const v1::SceneFactors& scene) {
@@ -43,7 +57,7 @@ std::string scene_fault(const v1::SceneFactors& scene) {
         (constants.has_k() && !is_spectrum(constants.k())))
       return "material \"" + material.name() + "\" has no sound spectrum";
   }
-  return {};
+  return observer_fault_in(scene);
 }
 
 std::string table_fault(const v1::TileFactors& tables, std::size_t lights,

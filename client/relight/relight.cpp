@@ -1,6 +1,7 @@
 #include "client/relight/relight.h"
 
 #include "client/relight/scene_sources.h"
+#include "common/scene/settings.h"
 #include "common/transport/factor_values.h"
 #include "common/transport/fold.h"
 #include "common/transport/message_tables.h"
@@ -11,7 +12,7 @@ namespace {
 using Row = std::vector<float>;
 
 /// The band means of the scene's lights, with their luminance, E[3.2-4].
-std::vector<std::vector<double>> light_rows(const v1::SceneFactors& scene, cie::Observer observer,
+std::vector<std::vector<double>> light_rows(const v1::SceneFactors& scene, const Observer& observer,
                                             const std::vector<double>& nm) {
   std::vector<std::vector<double>> rows;
   for (const auto& light : scene.light()) {
@@ -66,7 +67,7 @@ struct alignas(16) Color {
 };
 
 std::vector<Color> signature_colors(const v1::TileFactors& tables, const v1::SceneFactors& scene,
-                                    cie::Observer observer) {
+                                    const Observer& observer) {
   const std::vector<double> nm = SceneSources(scene).edges();
   std::vector<std::array<Row, 3>> sensors;  // what is seen of each light
   for (const auto& light : scene.light()) {
@@ -90,7 +91,14 @@ std::vector<Color> signature_colors(const v1::TileFactors& tables, const v1::Sce
 
 }  // namespace
 
-Image relight(const Factors& factors, const v1::SceneFactors& scene, cie::Observer observer) {
+Observer observer_of(const v1::Plan& plan, const v1::SceneFactors& scene) {
+  if (scene.observer_size() != 3) return to_observer(plan.observer());
+  return {plan.observer_file(),
+          {to_spectrum(scene.observer(0)), to_spectrum(scene.observer(1)),
+           to_spectrum(scene.observer(2))}};
+}
+
+Image relight(const Factors& factors, const v1::SceneFactors& scene, const Observer& observer) {
   const std::vector<Color> colors = signature_colors(factors.tables, scene, observer);
   Image image = make_image(static_cast<int>(factors.width), static_cast<int>(factors.height),
                            {"X", "Y", "Z"});
@@ -109,7 +117,7 @@ Image relight(const Factors& factors, const v1::SceneFactors& scene, cie::Observ
 }
 
 Image relight_spectral(const Factors& factors, const v1::SceneFactors& scene,
-                       cie::Observer observer, const Wavelengths& wavelengths) {
+                       const Observer& observer, const Wavelengths& wavelengths) {
   // The light of each signature.
   const auto lights = light_rows(scene, observer, wavelengths.nm());
   std::vector<Row> spectra;
@@ -139,7 +147,7 @@ Image relight_spectral(const Factors& factors, const v1::SceneFactors& scene,
   return image;
 }
 
-double seen_share(const v1::SceneFactors::Light& light, cie::Observer observer,
+double seen_share(const v1::SceneFactors::Light& light, const Observer& observer,
                   const Wavelengths& wavelengths) {
   const Spectrum power = to_spectrum(light.power());
   const double all = emission_xyz(power, observer)[1];
@@ -147,7 +155,7 @@ double seen_share(const v1::SceneFactors::Light& light, cie::Observer observer,
   return all > 0 ? to_xyz(weights, band_means(power, wavelengths.nm()))[1] / all : 1;
 }
 
-std::optional<Xyz> source_white(const v1::SceneFactors& scene, cie::Observer observer) {
+std::optional<Xyz> source_white(const v1::SceneFactors& scene, const Observer& observer) {
   if (scene.light().empty()) return std::nullopt;
   const Xyz white = white_of(to_spectrum(scene.light(0).power()), observer);
   if (!(white[1] > 0)) return std::nullopt;

@@ -15,8 +15,7 @@ constexpr double farthest_duv = 0.05;
 
 Uv locus(double mired) {
   static const Wavelengths wavelengths = *Wavelengths::uniform(360, 830, 5);
-  static const ObserverWeights observer =
-      observer_weights(cie::Observer::cie_1931_2deg, wavelengths);
+  static const ObserverWeights observer = observer_weights(cie::observer_1931(), wavelengths);
   const Spectrum radiator = planckian(1e6 / mired, wavelengths.nm());
   return uv_1960(*chromaticity(to_xyz(observer, radiator.values)));
 }

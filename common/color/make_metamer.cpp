@@ -138,7 +138,7 @@ Eigen::VectorXd farthest(const Target& target, const Eigen::MatrixXd& black) {
 }  // namespace
 
 Result<Metamer> make_metamer(const Spectrum& original, const Spectrum& under,
-                             const Spectrum& against, cie::Observer observer) {
+                             const Spectrum& against, const Observer& observer) {
   for (std::size_t i = 0; i < original.nm.size(); ++i)
     if (original.values[i] < 0 || original.values[i] > 1)
       return problem("a reflectance lies in 0..1 (at " + number_text(original.nm[i]) +

@@ -4,7 +4,7 @@ namespace metamer {
 
 Result<std::vector<Mismatch>> metamerism(const Spectrum& one, const Spectrum& other,
                                          const std::vector<NamedSpectrum>& lights,
-                                         cie::Observer observer) {
+                                         const Observer& observer) {
   const std::vector<double> nm = cell_edges({&one, &other}), perfect(nm.size(), 1.0);
   const std::vector<double> a = resample(one, nm, Outside::hold).values;
   const std::vector<double> b = resample(other, nm, Outside::hold).values;

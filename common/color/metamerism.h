@@ -21,7 +21,7 @@ struct Mismatch {
 /// end values. Error: a light that the observer does not see.
 Result<std::vector<Mismatch>> metamerism(const Spectrum& one, const Spectrum& other,
                                          const std::vector<NamedSpectrum>& lights,
-                                         cie::Observer observer);
+                                         const Observer& observer);
 
 /// All the CIE's illuminants, for the above.
 std::vector<NamedSpectrum> cie_lights();
@@ -39,6 +39,6 @@ struct Metamer {
 /// the farthest. Errors: a reflectance outside 0..1, a dark light, nothing that differs by ΔE00
 /// 0.001 or more (white, black, or two lights of one shape).
 Result<Metamer> make_metamer(const Spectrum& original, const Spectrum& under,
-                             const Spectrum& against, cie::Observer observer);
+                             const Spectrum& against, const Observer& observer);
 
 }  // namespace metamer

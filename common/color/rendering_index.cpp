@@ -26,7 +26,7 @@ bool has_the_tables_samples(const Spectrum& light) {
 
 /// The observer of the test colours under a light, of which a perfect white has luminance 1.
 ObserverWeights lit_by(const Spectrum& light, bool summed) {
-  constexpr auto observer = cie::Observer::cie_1931_2deg;
+  const Observer& observer = cie::observer_1931();
   if (!summed) return under_light(observer, light, table_nm());
   ObserverWeights lit = observer_weights(observer, *Wavelengths::listed(table_nm()));
   const std::vector<double> power = resample(light, table_nm(), Outside::zero).values;

@@ -55,7 +55,7 @@ std::optional<TableWeights> find_table_weights(std::string_view word) {
   return static_cast<TableWeights>(found - words.begin());
 }
 
-Result<ObserverWeights> weights_under(TableWeights weights, cie::Observer observer,
+Result<ObserverWeights> weights_under(TableWeights weights, const Observer& observer,
                                       const Spectrum& emission, const std::vector<double>& nm) {
   if (weights == TableWeights::lines) return under_light(observer, emission, nm);
   if (auto even = check_even(nm); !even) return tl::unexpected(std::move(even.error()));

@@ -22,7 +22,7 @@ const std::vector<std::string>& table_weights_words();  ///< In the order of the
 /// As under_light, with such weights. `astm`: Lagrange's polynomials through the four samples
 /// around, in the first and the last interval through three, beyond the ends the end value (ASTM
 /// E2022). Error, for `astm` alone: fewer than 4 samples, or uneven distances.
-Result<ObserverWeights> weights_under(TableWeights weights, cie::Observer observer,
+Result<ObserverWeights> weights_under(TableWeights weights, const Observer& observer,
                                       const Spectrum& emission, const std::vector<double>& nm);
 
 }  // namespace metamer

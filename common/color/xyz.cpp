@@ -33,14 +33,14 @@ std::vector<double> approximated(std::vector<double> integrals, const std::vecto
 
 }  // namespace
 
-std::vector<const Spectrum*> with_observer(cie::Observer observer,
+std::vector<const Spectrum*> with_observer(const Observer& observer,
                                            std::vector<const Spectrum*> spectra) {
-  for (const Spectrum& function : cie::matching_functions(observer)) spectra.push_back(&function);
+  for (const Spectrum& function : observer.functions()) spectra.push_back(&function);
   return spectra;
 }
 
-ObserverWeights observer_weights(cie::Observer observer, const Wavelengths& wavelengths) {
-  const std::array<Spectrum, 3>& functions = cie::matching_functions(observer);
+ObserverWeights observer_weights(const Observer& observer, const Wavelengths& wavelengths) {
+  const std::array<Spectrum, 3>& functions = observer.functions();
   ObserverWeights result;
   for (std::size_t c = 0; c < functions.size(); ++c) {
     std::vector<double>& weights = result.weights[c];
@@ -55,7 +55,7 @@ Xyz to_xyz(const ObserverWeights& observer, const std::vector<double>& power) {
   return {dot(x, power), dot(y, power), dot(z, power)};
 }
 
-ObserverWeights under_light(cie::Observer observer, const Spectrum& emission,
+ObserverWeights under_light(const Observer& observer, const Spectrum& emission,
                             const std::vector<double>& nm) {
   const Spectrum at{nm, nm};
   const Spectrum light = as_emission(emission);
@@ -72,7 +72,7 @@ ObserverWeights under_light(cie::Observer observer, const Spectrum& emission,
   return lit;
 }
 
-ObserverWeights observer_of_bands(cie::Observer observer, const std::vector<double>& nm) {
+ObserverWeights observer_of_bands(const Observer& observer, const std::vector<double>& nm) {
   const Spectrum at{nm, nm};
   const Wavelengths cells = cells_of(with_observer(observer, {&at}));
   const std::vector<double> widths = hat_widths(nm);
@@ -87,14 +87,14 @@ ObserverWeights observer_of_bands(cie::Observer observer, const std::vector<doub
   return seen;
 }
 
-Xyz emission_xyz(const Spectrum& emission, cie::Observer observer) {
+Xyz emission_xyz(const Spectrum& emission, const Observer& observer) {
   const Spectrum light = as_emission(emission);
   const Wavelengths cells = cells_of(with_observer(observer, {&light}));
   return to_xyz(observer_weights(observer, cells),
                 resample(light, cells.nm(), Outside::zero).values);
 }
 
-Xyz white_of(const Spectrum& emission, cie::Observer observer) {
+Xyz white_of(const Spectrum& emission, const Observer& observer) {
   return to_xyz(under_light(observer, emission, {555}), {1});
 }
 

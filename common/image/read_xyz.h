@@ -11,7 +11,7 @@ namespace metamer {
 
 /// How spectra become X Y Z.
 struct Viewing {
-  cie::Observer observer = cie::Observer::cie_1931_2deg;
+  Observer observer = cie::observer_1931();
   const Spectrum* under = nullptr;  ///< What lights a reflectance, at luminance 1; null: nothing.
   TableWeights weights = TableWeights::lines;  ///< What a reflectance is between its bands.
 };

@@ -20,8 +20,16 @@ constexpr std::size_t max_guesses = 10;
 /// Collects each file once, in the order in which the scene names them.
 class Collector {
  public:
-  Collector(std::filesystem::path folder, const DigestOf& digest_of)
-      : folder_(std::move(folder)), digest_of_(digest_of) {}
+  Collector(std::filesystem::path folder, const DigestOf& digest_of, const Elsewhere& elsewhere)
+      : folder_(std::move(folder)), digest_of_(digest_of), elsewhere_(elsewhere) {}
+
+  void add_observer(const v1::Settings& settings) {
+    const std::string field = "settings.observer_file";
+    if (elsewhere_.contains(field) && seen_.contains(settings.observer_file()))
+      return findings_.add(field, "another file of the scene is called " +
+                                      quoted(settings.observer_file()) + ", too");
+    add(settings.observer_file(), field, max_spectrum_file);
+  }
 
   void add_spectrum(const v1::Spectrum& spectrum, const std::string& field) {
     if (spectrum.source_case() != v1::Spectrum::kFile) return;
@@ -55,7 +63,9 @@ class Collector {
                    const std::string& prefix = {}) {
     if (name.empty() || !seen_.insert(name).second) return nullptr;
     const bool guess = findings_.size() < max_guesses;
-    const auto path = find_in_folder(name, folder_, limit, guess);
+    const auto other = elsewhere_.find(field);
+    const auto path = other != elsewhere_.end() ? find_file(other->second, limit)
+                                                : find_in_folder(name, folder_, limit, guess);
     if (!path) {
       findings_.add(field, prefix + path.error().message);
       return nullptr;
@@ -75,6 +85,7 @@ class Collector {
 
   std::filesystem::path folder_;
   const DigestOf& digest_of_;
+  const Elsewhere& elsewhere_;
   std::set<std::string> seen_;
   std::vector<Asset> assets_;
   Findings findings_;
@@ -83,10 +94,12 @@ class Collector {
 }  // namespace
 
 tl::expected<std::vector<Asset>, std::vector<Problem>> collect_assets(
-    const v1::Scene& scene, const std::filesystem::path& folder, const DigestOf& digest_of) {
-  Collector collector(folder.empty() ? std::filesystem::path(".") : folder, digest_of);
+    const v1::Scene& scene, const std::filesystem::path& folder, const DigestOf& digest_of,
+    const Elsewhere& elsewhere) {
+  Collector collector(folder.empty() ? std::filesystem::path(".") : folder, digest_of, elsewhere);
   for_each_spectrum(scene, [&](const v1::Spectrum& spectrum, const std::string& field,
                                SpectrumRole) { collector.add_spectrum(spectrum, field); });
+  collector.add_observer(scene.settings());
   for (int i = 0; i < scene.object_size(); ++i) {
     if (!scene.object(i).has_mesh()) continue;
     collector.add_mesh(scene.object(i).mesh(),

@@ -39,6 +39,12 @@ void check_development(const v1::Development& development, const std::string& fi
   if (!space) findings.add(field + "." + space.error().field, space.error().message);
 }
 
+void check_observer(const v1::Settings& settings, const std::string& field, Findings& findings) {
+  if (!settings.observer_file().empty() && settings.observer() != v1::CIE_1931_2DEG)
+    findings.add(field + ".observer_file",
+                 "an observer_file takes the place of observer, which is given too: leave out one");
+}
+
 }  // namespace
 
 void check_settings(const v1::Settings& settings, const std::string& field, Findings& findings) {
@@ -46,6 +52,7 @@ void check_settings(const v1::Settings& settings, const std::string& field, Find
 
   const v1::Settings full = with_defaults(settings);
   check_picture(full, field, findings);
+  check_observer(full, field, findings);
   check_goals(settings, full, field, findings);
   if (const MethodEntry* method = method_entry(full.method()); method && method->check)
     method->check(full.method(), field + ".method." + method->word, findings);

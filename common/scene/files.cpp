@@ -122,6 +122,12 @@ Result<fs::path> find_in_folder(const std::string& name, const fs::path& folder,
   return path;
 }
 
+Result<fs::path> find_file(const fs::path& path, std::uint64_t limit) {
+  const std::string what = obstacle(path, limit);
+  if (!what.empty()) return problem("file " + quoted(path.string()) + " " + what);
+  return path;
+}
+
 Result<FileDigest> digest_file(const fs::path& file, std::uint64_t limit) {
   DigestStream digest;
   const auto size =

@@ -24,6 +24,10 @@ Result<std::filesystem::path> find_in_folder(const std::string& name,
                                              const std::filesystem::path& folder,
                                              std::uint64_t limit, bool guess);
 
+/// A file that its path alone names. Errors, as sentences about it: those of find_in_folder that
+/// are not of the folder.
+Result<std::filesystem::path> find_file(const std::filesystem::path& path, std::uint64_t limit);
+
 /// Size and SHA-256 of a file, read in pieces.
 struct FileDigest {
   std::uint64_t size = 0;

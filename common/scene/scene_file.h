@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -61,9 +62,11 @@ using DigestOf =
 
 /// Every file that the scene names, once each, and the buffers that a .gltf names. Paths resolve
 /// relative to `folder` and may not leave it, also not through "..", an absolute path or a
-/// symbolic link. All the problems found: a missing file, a folder, one over max_asset bytes.
+/// symbolic link. Those of the fields in `elsewhere` lie where that says. All the problems found: a
+/// missing file, a folder, one over max_asset bytes.
+using Elsewhere = std::map<std::string, std::filesystem::path>;
 tl::expected<std::vector<Asset>, std::vector<Problem>> collect_assets(
     const v1::Scene& scene, const std::filesystem::path& folder,
-    const DigestOf& digest_of = digest_file);
+    const DigestOf& digest_of = digest_file, const Elsewhere& elsewhere = {});
 
 }  // namespace metamer

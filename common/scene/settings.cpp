@@ -39,19 +39,19 @@ Result<Wavelengths> point_wavelengths(const v1::Point& point) {
   return Wavelengths::uniform(point.from(), point.to(), point.step());
 }
 
-cie::Observer to_observer(v1::Observer observer) {
+const Observer& to_observer(v1::Observer observer) {
   switch (observer) {
     case v1::CIE_1931_2DEG:
-      return cie::Observer::cie_1931_2deg;
+      return cie::observer_1931();
     case v1::CIE_1964_10DEG:
-      return cie::Observer::cie_1964_10deg;
+      return cie::observer_1964();
     // protobuf's own two, which no message can hold.
     case v1::Observer_INT_MIN_SENTINEL_DO_NOT_USE_:
     case v1::Observer_INT_MAX_SENTINEL_DO_NOT_USE_:
       break;
   }
   assert(false && "validate_scene finds observers that do not exist");
-  return cie::Observer::cie_1931_2deg;
+  return cie::observer_1931();
 }
 
 }  // namespace metamer

@@ -18,6 +18,7 @@ v1::Settings with_defaults(const v1::Settings& settings);
 /// The positions of a point method whose defaults are filled in; not of one that is fitted.
 Result<Wavelengths> point_wavelengths(const v1::Point& point);
 
-cie::Observer to_observer(v1::Observer observer);
+/// Of the CIE's; not that of an observer_file.
+const Observer& to_observer(v1::Observer observer);
 
 }  // namespace metamer

@@ -6,8 +6,10 @@
 #include "common/scene/findings.h"
 #include "common/scene/limits.h"
 #include "common/scene/names.h"
+#include "common/scene/settings.h"
 #include "common/scene/validate.h"
 #include "common/spectral/cie.h"
+#include "common/spectral/files/observer_file.h"
 #include "common/spectral/files/spectrum_file.h"
 
 namespace metamer {
@@ -86,6 +88,16 @@ Result<Spectrum> load_spectrum(const v1::Spectrum& message, const std::string& f
   return at(field, {.field = {}, .file = {}, .message = "spectrum needs a source"});
 }
 
+Result<Observer> load_observer(const v1::Settings& settings, const std::string& field,
+                               const AssetReader& assets) {
+  const std::string& file = settings.observer_file();
+  if (file.empty()) return to_observer(settings.observer());
+  auto observer =
+      assets(file).and_then([&](const std::string& bytes) { return parse_observer(bytes, file); });
+  if (!observer) return at(field + ".observer_file", std::move(observer.error()));
+  return observer;
+}
+
 std::vector<Problem> validate_spectra(const v1::Scene& scene, const AssetReader& assets) {
   std::map<std::string, Spectra> read;
   Findings findings;
@@ -104,6 +116,8 @@ std::vector<Problem> validate_spectra(const v1::Scene& scene, const AssetReader&
                       }
                       if (!spectrum) findings.add(std::move(spectrum.error()));
                     });
+  if (auto observer = load_observer(scene.settings(), "settings", assets); !observer)
+    findings.add(std::move(observer.error()));
   return findings.take();
 }
 

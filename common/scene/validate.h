@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/problem.h"
-#include "common/spectral/spectrum.h"
+#include "common/spectral/observer.h"
 #include "common/spectral/wavelengths.h"
 #include "metamer/v1/scene.pb.h"
 
@@ -34,8 +34,13 @@ enum class SpectrumRole {
 Result<Spectrum> load_spectrum(const v1::Spectrum& message, const std::string& field,
                                SpectrumRole role, const AssetReader& assets);
 
-/// Every spectrum of the scene loaded and checked, all problems found. For the client's early
-/// check.
+/// The observer that settings stand for, `field` being theirs: one of the CIE's, or that of
+/// observer_file (parse_observer), which is the asset's name.
+Result<Observer> load_observer(const v1::Settings& settings, const std::string& field,
+                               const AssetReader& assets);
+
+/// Every spectrum of the scene and its observer loaded and checked, all problems found. For the
+/// client's early check.
 std::vector<Problem> validate_spectra(const v1::Scene& scene, const AssetReader& assets);
 
 }  // namespace metamer

@@ -45,7 +45,7 @@ const Catalogue& test_colors() {
   return catalogue;
 }
 
-std::array<Spectrum, 3> three_from(std::size_t first) {
+Observer::Functions three_from(std::size_t first) {
   assert(tables::observers.size() == 6);
   return {to_spectrum(tables::observers[first]), to_spectrum(tables::observers[first + 1]),
           to_spectrum(tables::observers[first + 2])};
@@ -53,10 +53,14 @@ std::array<Spectrum, 3> three_from(std::size_t first) {
 
 }  // namespace
 
-const std::array<Spectrum, 3>& matching_functions(Observer observer) {
-  static const std::array<Spectrum, 3> cie_1931 = three_from(0);
-  static const std::array<Spectrum, 3> cie_1964 = three_from(3);
-  return observer == Observer::cie_1931_2deg ? cie_1931 : cie_1964;
+const Observer& observer_1931() {
+  static const Observer observer("cie-1931-2deg", three_from(0));
+  return observer;
+}
+
+const Observer& observer_1964() {
+  static const Observer observer("cie-1964-10deg", three_from(3));
+  return observer;
 }
 
 const Spectrum* illuminant(std::string_view name) { return illuminants().find(name); }

@@ -5,17 +5,16 @@
 #include <string_view>
 #include <vector>
 
-#include "common/spectral/spectrum.h"
+#include "common/spectral/observer.h"
 
 /// The CIE's tables, embedded at build time from Debian's colord-data (5 nm; CIE 15), which the
 /// binaries do not need.
 namespace metamer::cie {
 
-enum class Observer { cie_1931_2deg, cie_1964_10deg };
-
-/// Colour matching functions x̄, ȳ, z̄, 360 to 830 nm by 1 nm: Sprague's interpolation of the
-/// tables (sprague.h), not below 0.
-const std::array<Spectrum, 3>& matching_functions(Observer observer);
+/// The observers of 2° and of 10°, 360 to 830 nm by 1 nm: Sprague's interpolation of the tables
+/// (matching_function).
+const Observer& observer_1931();
+const Observer& observer_1964();
 
 /// "A" "B" "C" "D50" "D55" "D65" "D93" "E" "F1" … "F12"; null when there is none of that name.
 const Spectrum* illuminant(std::string_view name);

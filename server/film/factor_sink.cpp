@@ -106,6 +106,8 @@ v1::TileFactors FactorSink::finish() {
 
 v1::SceneFactors scene_factors(const RenderScene& scene) {
   v1::SceneFactors factors;
+  for (const Spectrum& function : scene.observer.functions())
+    set_spectrum(function, *factors.add_observer());
   for (const RenderLight& light : scene.lights) {
     v1::SceneFactors::Light& to = *factors.add_light();
     to.set_name(light.name);

@@ -45,7 +45,7 @@ Xyz usable_white(const Xyz& white) {
   return *least > 1e-6 * *most ? white : Xyz{1, 1, 1};
 }
 
-DirectColors::DirectColors(const RenderScene& scene, cie::Observer observer) : scene_(scene) {
+DirectColors::DirectColors(const RenderScene& scene, const Observer& observer) : scene_(scene) {
   const std::vector<double> nm = surface_edges(scene), ones(nm.size(), 1.0);
   const std::vector<std::uint32_t> materials = used_materials(scene);
   FactorValues<double> values(factor_sources(scene), nm);

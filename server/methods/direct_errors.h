@@ -25,7 +25,7 @@ struct LightError {
 /// out evenly.
 class DirectColors {
  public:
-  DirectColors(const RenderScene& scene, cie::Observer observer);
+  DirectColors(const RenderScene& scene, const Observer& observer);
 
   /// For each light of a luminance above 0.
   std::vector<LightError> errors(const Method& method) const;

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <set>
 
-#include "common/scene/settings.h"
 #include "server/methods/exact_tables.h"
 
 namespace metamer {
@@ -45,7 +44,7 @@ bool carries_bands(const RenderScene& scene, std::uint32_t depth) {
 }
 
 std::unique_ptr<Method> make_exact(const v1::Plan& plan, const RenderScene& scene) {
-  const cie::Observer observer = to_observer(plan.observer());
+  const Observer& observer = scene.observer;
   ExactTables tables(scene, observer);
   if (carries_bands(scene, plan.depth()))
     return make_exact_bands(std::move(tables), scene, observer);

@@ -79,7 +79,7 @@ class ExactBands : public Method {
 }  // namespace
 
 std::unique_ptr<Method> make_exact_bands(ExactTables tables, const RenderScene& scene,
-                                         cie::Observer observer) {
+                                         const Observer& observer) {
   const std::vector<double>& nm = tables.nm;
   const std::vector<double> nothing(nm.size());
   BandTable powers(scene.lights.size(), nm.size()), xyz(3, nm.size());
@@ -100,7 +100,7 @@ std::unique_ptr<Method> make_exact_bands(ExactTables tables, const RenderScene& 
 
   // What a band is seen as: a mean by the power of the lights within it, so that of one light the
   // sums are those of its sensors.
-  const auto& functions = cie::matching_functions(observer);
+  const auto& functions = observer.functions();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::vector<double> weights = resample(functions[axis], nm, Outside::zero).values;
     for (std::size_t k = 0; k < nm.size(); ++k)

@@ -5,7 +5,7 @@
 #include "server/methods/scene_spectra.h"
 
 namespace metamer {
-ExactTables::ExactTables(const RenderScene& scene, cie::Observer observer)
+ExactTables::ExactTables(const RenderScene& scene, const Observer& observer)
     : rows(scene),
       nm(surface_edges(scene)),
       values(rows.size(), nm.size()),

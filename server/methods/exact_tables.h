@@ -9,7 +9,7 @@ namespace metamer {
 /// 830 and wherever a surface's spectrum has a sample of its own; between these a product of rows
 /// is a straight line.
 struct ExactTables {
-  ExactTables(const RenderScene& scene, cie::Observer observer);
+  ExactTables(const RenderScene& scene, const Observer& observer);
 
   /// X Y Z of `product` times a row, three for each light.
   void measure(const float* product, std::uint32_t row, float* xyz) const;
@@ -34,6 +34,6 @@ std::unique_ptr<Method> make_exact_signatures(ExactTables tables);
 /// value a band, and becomes X Y Z once a pixel. For scenes whose mirrors make more products than
 /// can be looked up.
 std::unique_ptr<Method> make_exact_bands(ExactTables tables, const RenderScene& scene,
-                                         cie::Observer observer);
+                                         const Observer& observer);
 
 }  // namespace metamer

@@ -3,7 +3,6 @@
 #include <Eigen/QR>
 #include <algorithm>
 
-#include "common/scene/settings.h"
 #include "server/methods/banded.h"
 #include "server/methods/notices.h"
 #include "server/methods/scene_spectra.h"
@@ -173,7 +172,7 @@ std::vector<Index> rows_at(const std::vector<double>& nm) {
 
 }  // namespace
 
-std::vector<double> fitted_wavelengths(const RenderScene& scene, cie::Observer observer,
+std::vector<double> fitted_wavelengths(const RenderScene& scene, const Observer& observer,
                                        std::size_t most) {
   const std::vector<double> all = observer_wavelengths().nm();
   std::vector<double> nm;
@@ -185,7 +184,7 @@ std::vector<double> fitted_wavelengths(const RenderScene& scene, cie::Observer o
 
 void plan_fitted(const RenderScene& scene, const v1::Settings& settings, v1::Plan& plan) {
   const v1::Point& point = settings.method().point();
-  const auto nm = fitted_wavelengths(scene, to_observer(settings.observer()), point.fitted());
+  const auto nm = fitted_wavelengths(scene, scene.observer, point.fitted());
   plan.mutable_wavelength()->Assign(nm.begin(), nm.end());
   plan.set_from(nm.front());
   plan.set_to(nm.back());
@@ -193,7 +192,7 @@ void plan_fitted(const RenderScene& scene, const v1::Settings& settings, v1::Pla
 }
 
 std::unique_ptr<Method> make_fitted(const v1::Plan& plan, const RenderScene& scene) {
-  const cie::Observer choice = to_observer(plan.observer());
+  const Observer& choice = scene.observer;
   const std::vector<double> nm =
       plan.wavelength().empty()
           ? fitted_wavelengths(scene, choice, plan.method().point().fitted())

@@ -9,7 +9,7 @@ namespace metamer {
 
 /// At most `most` wavelengths (nm, whole, rising, at least one) for the scene's lights and
 /// surfaces. Fewer, where more would not bring its colours 0.01 ΔE closer.
-std::vector<double> fitted_wavelengths(const RenderScene& scene, cie::Observer observer,
+std::vector<double> fitted_wavelengths(const RenderScene& scene, const Observer& observer,
                                        std::size_t most);
 
 /// The wavelengths that were chosen are part of the plan.

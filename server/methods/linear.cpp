@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "common/color/xyz.h"
-#include "common/scene/settings.h"
 #include "common/transport/fold.h"
 #include "server/methods/banded.h"
 #include "server/methods/costs.h"
@@ -112,7 +111,8 @@ class LinearMethod : public Method {
 
 }  // namespace
 
-LinearBasis scene_basis(const v1::Linear& method, cie::Observer choice, const RenderScene& scene) {
+LinearBasis scene_basis(const v1::Linear& method, const Observer& choice,
+                        const RenderScene& scene) {
   const Wavelengths wavelengths = observer_wavelengths();
   const ObserverWeights observer = observer_weights(choice, wavelengths);
 
@@ -140,7 +140,7 @@ LinearBasis scene_basis(const v1::Linear& method, cie::Observer choice, const Re
 
 void plan_linear(const RenderScene& scene, const v1::Settings& settings, v1::Plan& plan) {
   const v1::Linear& linear = settings.method().linear();
-  const LinearBasis basis = scene_basis(linear, to_observer(settings.observer()), scene);
+  const LinearBasis basis = scene_basis(linear, scene.observer, scene);
   plan.set_condition(basis.condition);
   plan.set_residual(basis.residual);
   for (Eigen::Index i = 0; i < std::min<Eigen::Index>(16, basis.singular_values.size()); ++i)
@@ -150,7 +150,7 @@ void plan_linear(const RenderScene& scene, const v1::Settings& settings, v1::Pla
 }
 
 std::unique_ptr<Method> make_linear(const v1::Plan& plan, const RenderScene& scene) {
-  const cie::Observer choice = to_observer(plan.observer());
+  const Observer& choice = scene.observer;
   const Wavelengths wavelengths = observer_wavelengths();
   const ObserverWeights observer = observer_weights(choice, wavelengths);
   const LinearBasis basis = scene_basis(plan.method().linear(), choice, scene);

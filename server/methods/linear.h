@@ -15,6 +15,7 @@ void plan_linear(const RenderScene& scene, const v1::Settings& settings, v1::Pla
 
 /// The basis of the scene's lights, of each reflected by each spectrum, and, where the method says
 /// so, of each reflected twice.
-LinearBasis scene_basis(const v1::Linear& method, cie::Observer observer, const RenderScene& scene);
+LinearBasis scene_basis(const v1::Linear& method, const Observer& observer,
+                        const RenderScene& scene);
 
 }  // namespace metamer

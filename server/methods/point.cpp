@@ -9,7 +9,7 @@
 namespace metamer {
 namespace {
 
-std::unique_ptr<Method> make(const Wavelengths& wavelengths, cie::Observer choice,
+std::unique_ptr<Method> make(const Wavelengths& wavelengths, const Observer& choice,
                              v1::Point::Lights kind, const RenderScene& scene) {
   const ObserverWeights observer = observer_weights(choice, wavelengths);
   const std::size_t bands = wavelengths.size();
@@ -43,7 +43,7 @@ double largest(const std::vector<LightError>& errors) {
   return most;
 }
 
-v1::Point::Lights better_lights(const Wavelengths& wavelengths, cie::Observer observer,
+v1::Point::Lights better_lights(const Wavelengths& wavelengths, const Observer& observer,
                                 const RenderScene& scene) {
   const DirectColors truth(scene, observer);
   const auto error_of = [&](v1::Point::Lights kind) {
@@ -55,7 +55,7 @@ v1::Point::Lights better_lights(const Wavelengths& wavelengths, cie::Observer ob
 
 }  // namespace
 
-std::unique_ptr<Method> make_sampled(const Wavelengths& wavelengths, cie::Observer observer,
+std::unique_ptr<Method> make_sampled(const Wavelengths& wavelengths, const Observer& observer,
                                      const RenderScene& scene) {
   return make(wavelengths, observer, v1::Point::SAMPLES, scene);
 }
@@ -70,13 +70,13 @@ void plan_point(const RenderScene& scene, const v1::Settings& settings, v1::Plan
   plan.set_bands(static_cast<std::uint32_t>(wavelengths.size()));
   if (settings.method().point().lights() == v1::Point::BETTER)
     plan.mutable_method()->mutable_point()->set_lights(
-        better_lights(wavelengths, to_observer(settings.observer()), scene));
+        better_lights(wavelengths, scene.observer, scene));
 }
 
 std::unique_ptr<Method> make_point(const v1::Plan& plan, const RenderScene& scene) {
   if (plan.method().point().has_fitted()) return make_fitted(plan, scene);
-  return make(wavelengths_of_point(plan.method()), to_observer(plan.observer()),
-              plan.method().point().lights(), scene);
+  return make(wavelengths_of_point(plan.method()), scene.observer, plan.method().point().lights(),
+              scene);
 }
 
 }  // namespace metamer

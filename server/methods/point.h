@@ -9,7 +9,7 @@ namespace metamer {
 std::unique_ptr<Method> make_point(const v1::Plan& plan, const RenderScene& scene);
 
 /// The same at any positions with weights, the lights' samples there.
-std::unique_ptr<Method> make_sampled(const Wavelengths& wavelengths, cie::Observer observer,
+std::unique_ptr<Method> make_sampled(const Wavelengths& wavelengths, const Observer& observer,
                                      const RenderScene& scene);
 
 /// How many wavelengths there are, and what lights are at them: where that is left open, whichever

@@ -3,7 +3,6 @@
 #include <Eigen/LU>
 
 #include "common/color/srgb.h"
-#include "common/scene/settings.h"
 #include "server/methods/banded.h"
 #include "server/methods/scene_spectra.h"
 
@@ -40,7 +39,7 @@ Eigen::MatrixXd to_columns(const ObserverWeights& observer) {
 }
 
 /// `nm`: between which surfaces are lines.
-Filter make_filter(const RenderScene& scene, cie::Observer observer,
+Filter make_filter(const RenderScene& scene, const Observer& observer,
                    const std::vector<double>& nm) {
   // The dominant light is the first (4.6.1) of which anything is seen; without any, equal energy.
   Filter filter;
@@ -78,8 +77,8 @@ Filter make_filter(const RenderScene& scene, cie::Observer observer,
 
 }  // namespace
 
-std::unique_ptr<Method> make_prefilter(const v1::Plan& plan, const RenderScene& scene) {
-  const cie::Observer observer = to_observer(plan.observer());
+std::unique_ptr<Method> make_prefilter(const v1::Plan&, const RenderScene& scene) {
+  const Observer& observer = scene.observer;
   const std::vector<double> nm = surface_edges(scene);
   const Filter filter = make_filter(scene, observer, nm);
 
@@ -106,8 +105,8 @@ std::unique_ptr<Method> make_prefilter(const v1::Plan& plan, const RenderScene& 
       std::move(rows), BandedMethod::Tables{std::move(lights), std::move(values), std::move(xyz)});
 }
 
-void plan_prefilter(const RenderScene& scene, const v1::Settings& settings, v1::Plan& plan) {
-  const Filter filter = make_filter(scene, to_observer(settings.observer()), surface_edges(scene));
+void plan_prefilter(const RenderScene& scene, const v1::Settings&, v1::Plan& plan) {
+  const Filter filter = make_filter(scene, scene.observer, surface_edges(scene));
   const auto say = [&](const std::string& message) {
     v1::Notice* notice = plan.add_notice();
     notice->set_field("settings.method.prefilter");

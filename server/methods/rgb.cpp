@@ -4,7 +4,6 @@
 
 #include "common/color/srgb.h"
 #include "common/color/xyz.h"
-#include "common/scene/settings.h"
 #include "server/methods/banded.h"
 #include "server/methods/scene_spectra.h"
 
@@ -12,7 +11,8 @@ namespace metamer {
 namespace {
 
 /// Linear sRGB of a light of luminance `luminance`, seen directly.
-std::vector<double> light_rgb(cie::Observer observer, const Spectrum& emission, double luminance) {
+std::vector<double> light_rgb(const Observer& observer, const Spectrum& emission,
+                              double luminance) {
   Xyz xyz = white_of(emission, observer);
   for (double& value : xyz) value *= luminance;
   const srgb::Rgb rgb = srgb::from_xyz(xyz);
@@ -22,7 +22,7 @@ std::vector<double> light_rgb(cie::Observer observer, const Spectrum& emission, 
 /// What turns a reflectance into linear sRGB under D65: a list of weights for each of R, G and B.
 /// Those of each sum to 1, so that grey is grey: the tables' D65 and that of sRGB differ in the
 /// fourth digit.
-std::array<std::vector<double>, 3> surface_weights(cie::Observer observer,
+std::array<std::vector<double>, 3> surface_weights(const Observer& observer,
                                                    const std::vector<double>& nm) {
   const ObserverWeights lit = under_light(observer, *cie::illuminant("D65"), nm);
   std::array<std::vector<double>, 3> weights;
@@ -41,8 +41,8 @@ std::array<std::vector<double>, 3> surface_weights(cie::Observer observer,
 
 }  // namespace
 
-std::unique_ptr<Method> make_rgb(const v1::Plan& plan, const RenderScene& scene) {
-  const cie::Observer observer = to_observer(plan.observer());
+std::unique_ptr<Method> make_rgb(const v1::Plan&, const RenderScene& scene) {
+  const Observer& observer = scene.observer;
   BandTable lights(scene.lights.size(), 3);
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     lights.set(i, light_rgb(observer, scene.emissions[scene.lights[i].emission],

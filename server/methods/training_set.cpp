@@ -34,7 +34,7 @@ Eigen::Array3d importance(const Eigen::Array3d& xyz, const Eigen::Array3d& white
 
 }  // namespace
 
-TrainingSet make_training_set(const RenderScene& scene, cie::Observer choice, Eigen::Index most) {
+TrainingSet make_training_set(const RenderScene& scene, const Observer& choice, Eigen::Index most) {
   const Wavelengths wavelengths = observer_wavelengths();
   const ObserverWeights observer = observer_weights(choice, wavelengths);
   const Eigen::MatrixXd lights = unit_light_columns(scene, observer, wavelengths);

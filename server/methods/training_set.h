@@ -22,7 +22,7 @@ struct TrainingSet {
 };
 
 /// Of more than `most` columns, surfaces are left out evenly: first of those in mirrors.
-TrainingSet make_training_set(const RenderScene& scene, cie::Observer observer,
+TrainingSet make_training_set(const RenderScene& scene, const Observer& observer,
                               Eigen::Index most = 4096);
 
 }  // namespace metamer

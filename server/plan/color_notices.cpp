@@ -5,7 +5,6 @@
 #include "common/color/lab.h"
 #include "common/color/xyz.h"
 #include "common/scene/methods.h"
-#include "common/scene/settings.h"
 #include "server/methods/direct_errors.h"
 
 namespace metamer {
@@ -28,7 +27,7 @@ void add(const std::string& field, const std::string& message, v1::Plan& plan) {
 /// How much of a light is seen up to a wavelength: X + Y + Z.
 class Seen {
  public:
-  Seen(const RenderLight& light, const Spectrum& emission, cie::Observer observer)
+  Seen(const RenderLight& light, const Spectrum& emission, const Observer& observer)
       : light_(&light) {
     const Wavelengths cells = cells_of(with_observer(observer, {&emission}));
     const ObserverWeights eye = observer_weights(observer, cells);
@@ -66,7 +65,7 @@ Spectrum continued(Spectrum emission) {
   return emission;
 }
 
-void notice_emission(const Spectrum& emission, const std::string& field, cie::Observer observer,
+void notice_emission(const Spectrum& emission, const std::string& field, const Observer& observer,
                      v1::Plan& plan) {
   const Xyz own = white_of(emission, observer), other = white_of(continued(emission), observer);
   if (!(own[1] > 0)) return;
@@ -104,7 +103,7 @@ void notice_property(const Spectrum& property, const std::string& field,
 
 void notice_colors(const RenderScene& scene, const Method& method, v1::Plan& plan) {
   const std::string name = method_text(plan.method());
-  for (const LightError& error : DirectColors(scene, to_observer(plan.observer())).errors(method)) {
+  for (const LightError& error : DirectColors(scene, scene.observer).errors(method)) {
     const RenderLight& light = scene.lights[error.light];
     const std::string& field = scene.emission_fields[light.emission];
     const std::string named = "light \"" + light.name + "\"";
@@ -128,7 +127,7 @@ void notice_colors(const RenderScene& scene, const Method& method, v1::Plan& pla
 }
 
 void notice_ends_of_data(const RenderScene& scene, v1::Plan& plan) {
-  const cie::Observer observer = to_observer(plan.observer());
+  const Observer& observer = scene.observer;
   for (std::size_t i = 0; i < scene.emissions.size(); ++i)
     notice_emission(scene.emissions[i], scene.emission_fields[i], observer, plan);
   std::vector<Seen> lights;

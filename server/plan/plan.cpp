@@ -4,7 +4,6 @@
 #include <set>
 
 #include "common/color/xyz.h"
-#include "common/scene/settings.h"
 #include "server/methods/method.h"
 #include "server/plan/features.h"
 #include "server/plan/needs.h"
@@ -29,10 +28,10 @@ void list_models(const RenderScene& scene, v1::Plan& plan) {
 }
 
 /// The white of the dominant light, to which an eye adapts (4.6.1).
-void plan_white(const RenderScene& scene, v1::Observer observer, v1::Plan& plan) {
+void plan_white(const RenderScene& scene, v1::Plan& plan) {
   if (scene.lights.empty()) return;
   const Spectrum& light = scene.emissions[scene.lights.front().emission];
-  const Xyz white = white_of(light, to_observer(observer));
+  const Xyz white = white_of(light, scene.observer);
   if (white[1] > 0) plan.mutable_source_white()->Add(white.begin(), white.end());
 }
 
@@ -99,6 +98,13 @@ void notice_objects(const RenderScene& scene, v1::Plan& plan) {
   spheres.say("a sphere has no corners: it is shaded by PHONG", plan);
 }
 
+void notice_cut_observer(const RenderScene& scene, v1::Plan& plan) {
+  if (!scene.observer.is_cut()) return;
+  v1::Notice* notice = plan.add_notice();
+  notice->set_field("settings.observer_file");
+  notice->set_message("what it sees outside 360 to 830 nm is left out");
+}
+
 /// Says where uniform wavelengths do not come to the end that was asked for.
 void notice_short_end(const v1::Method& method, const Wavelengths& wavelengths, v1::Plan& plan) {
   const double last = wavelengths.nm().back();
@@ -145,8 +151,9 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
   plan.set_backend(capabilities.backend);
   *plan.mutable_method() = settings.method();
   plan.set_observer(settings.observer());
+  plan.set_observer_file(settings.observer_file());
   *plan.mutable_development() = settings.development();
-  plan_white(scene, settings.observer(), plan);
+  plan_white(scene, plan);
 
   const Wavelengths wavelengths = method_wavelengths(settings.method());
   plan_method(scene, settings, plan);
@@ -161,6 +168,7 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
     notice_unsupported(needs, supported, plan);
   notice_skipped_faces(scene, plan);
   notice_objects(scene, plan);
+  notice_cut_observer(scene, plan);
   notice_short_end(settings.method(), wavelengths, plan);
   list_needs(scene, capabilities, plan);
   return plan;

@@ -9,7 +9,7 @@
 
 namespace metamer {
 
-Wavelengths Reference::cells(const RenderScene& scene, cie::Observer observer) {
+Wavelengths Reference::cells(const RenderScene& scene, const Observer& observer) {
   std::vector<const Spectrum*> spectra = with_observer(observer, {});
   for (const Spectrum& emission : scene.emissions) spectra.push_back(&emission);
   for (const Spectrum& property : scene.properties) spectra.push_back(&property);
@@ -20,10 +20,10 @@ Wavelengths Reference::cells(const RenderScene& scene, cie::Observer observer) {
   return cells_of(spectra);
 }
 
-Reference::Reference(const RenderScene& scene, cie::Observer observer)
+Reference::Reference(const RenderScene& scene, const Observer& observer)
     : Reference(scene, observer, cells(scene, observer)) {}
 
-Reference::Reference(const RenderScene& scene, cie::Observer observer,
+Reference::Reference(const RenderScene& scene, const Observer& observer,
                      const Wavelengths& wavelengths)
     : observer_(observer_weights(observer, wavelengths)),
       bands_(wavelengths.size()),

@@ -16,11 +16,11 @@ namespace metamer {
 class Reference {
  public:
   /// `scene` must outlive it.
-  Reference(const RenderScene& scene, cie::Observer observer);
+  Reference(const RenderScene& scene, const Observer& observer);
 
   /// Where it takes its sums, with their weights: in each cell every spectrum of the scene is a
   /// line.
-  static Wavelengths cells(const RenderScene& scene, cie::Observer observer);
+  static Wavelengths cells(const RenderScene& scene, const Observer& observer);
 
   /// The light of one pixel, `scale` times the sums of `gather`.
   Xyz resolve(const Gather& gather, double scale);
@@ -31,7 +31,7 @@ class Reference {
   const Xyz& white() const { return white_; }
 
  private:
-  Reference(const RenderScene& scene, cie::Observer observer, const Wavelengths& wavelengths);
+  Reference(const RenderScene& scene, const Observer& observer, const Wavelengths& wavelengths);
 
   using Values = std::vector<double>;
   struct Fold;

@@ -9,10 +9,10 @@ namespace metamer {
 /// A reference belongs to one thread.
 struct ReferenceMethod::Own : Scratch {
   Reference reference;
-  Own(const RenderScene& scene, cie::Observer observer) : reference(scene, observer) {}
+  Own(const RenderScene& scene, const Observer& observer) : reference(scene, observer) {}
 };
 
-ReferenceMethod::ReferenceMethod(const RenderScene& scene, cie::Observer observer)
+ReferenceMethod::ReferenceMethod(const RenderScene& scene, const Observer& observer)
     : scene_(scene),
       observer_(observer),
       bands_(Reference::cells(scene, observer).size()),

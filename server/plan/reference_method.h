@@ -11,7 +11,7 @@ namespace metamer {
 class ReferenceMethod : public Method {
  public:
   /// `scene` must outlive it.
-  ReferenceMethod(const RenderScene& scene, cie::Observer observer);
+  ReferenceMethod(const RenderScene& scene, const Observer& observer);
   ~ReferenceMethod() override;
 
   std::unique_ptr<Scratch> make_scratch() const override;
@@ -24,7 +24,7 @@ class ReferenceMethod : public Method {
   struct Own;
 
   const RenderScene& scene_;
-  cie::Observer observer_;
+  Observer observer_;
   std::size_t bands_, rows_;
 };
 

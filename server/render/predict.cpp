@@ -62,7 +62,7 @@ v1::Plan plan_with(const PilotScene& pilot, const v1::Method& method) {
 Predictor::Predictor(const PilotScene& pilot)
     : pilot_(pilot),
       plan_(plan_with(pilot, any_method())),
-      reference_(pilot.scene, to_observer(plan_.observer())),
+      reference_(pilot.scene, pilot.scene.observer),
       pixels_(trace_pixels(pilot.probe, plan_, {0, pilot_count(plan_)}, reference_, pilot.stopped,
                            pilot.work)),
       colors_(scene_colors(pilot.scene, reference_)),
@@ -111,18 +111,19 @@ v1::ColorError Predictor::check(const Method& method, std::uint32_t round) {
 
 v1::Accuracy measure(const PilotScene& pilot, const Method& method) {
   const v1::Plan plan = plan_with(pilot, any_method());
-  Reference reference(pilot.scene, to_observer(plan.observer()));
+  Reference reference(pilot.scene, pilot.scene.observer);
   const PixelRun run{.first = 0, .count = 2 * pilot_count(plan), .random = true};
   v1::ColorError error = error_on(run, pilot, plan, reference, method);
   error.set_share(bounded_share(run.count));
-  return accuracy_of(error, plan.observer(), reference.white());
+  return accuracy_of(error, plan, reference.white());
 }
 
-v1::Accuracy accuracy_of(const v1::ColorError& error, v1::Observer observer, const Xyz& white) {
+v1::Accuracy accuracy_of(const v1::ColorError& error, const v1::Plan& plan, const Xyz& white) {
   v1::Accuracy accuracy;
   *accuracy.mutable_error() = error;
   accuracy.set_kept(true);
-  accuracy.set_observer(observer);
+  accuracy.set_observer(plan.observer());
+  accuracy.set_observer_file(plan.observer_file());
   accuracy.mutable_white()->Add(white.begin(), white.end());
   return accuracy;
 }

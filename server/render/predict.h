@@ -59,7 +59,7 @@ class Predictor {
 v1::Accuracy measure(const PilotScene& pilot, const Method& method);
 
 /// An error with what it is seen by.
-v1::Accuracy accuracy_of(const v1::ColorError& error, v1::Observer observer, const Xyz& white);
+v1::Accuracy accuracy_of(const v1::ColorError& error, const v1::Plan& plan, const Xyz& white);
 
 /// What a pixel costs on average, in the counted ns of Method::resolve_cost: its rays, and what a
 /// method makes of them.

@@ -26,8 +26,8 @@ std::vector<Rect> plan_tiles(const v1::Plan& plan) {
 
 Verification::Verification(const RenderScene& scene, const v1::Plan& plan, const Film& film)
     : plan_(reference_plan(plan)),
-      method_(scene, to_observer(plan.observer())),
-      white_(Reference(scene, to_observer(plan.observer())).white()),
+      method_(scene, scene.observer),
+      white_(Reference(scene, scene.observer).white()),
       film_(film),
       tiles_(plan_tiles(plan)),
       reference_(std::size_t{film.width} * film.height * 3),
@@ -55,7 +55,7 @@ void Verification::compare(const Rect& tile) {
 }
 
 v1::Accuracy Verification::accuracy() const {
-  v1::Accuracy accuracy = accuracy_of(summarize(errors_), plan_.observer(), white_);
+  v1::Accuracy accuracy = accuracy_of(summarize(errors_), plan_, white_);
   accuracy.mutable_error()->set_share(1);
   return accuracy;
 }
@@ -63,7 +63,7 @@ v1::Accuracy Verification::accuracy() const {
 double verify_cost(const PilotScene& pilot, const v1::Plan& plan, const Method& method) {
   const TracedPixels pixels =
       pilot.probe.trace(plan, {0, pilot_count(plan)}, pilot.stopped, pilot.work);
-  const ReferenceMethod reference(pilot.scene, to_observer(plan.observer()));
+  const ReferenceMethod reference(pilot.scene, pilot.scene.observer);
   return counted_pixel_cost(reference, pixels.gathers, plan) /
          counted_pixel_cost(method, pixels.gathers, plan);
 }

@@ -90,6 +90,7 @@ class Compiler {
     problems_ = validate_scene(scene_);
     if (!problems_.empty()) return tl::unexpected(std::move(problems_));
     result_.camera = compile_camera(scene_.camera());
+    observer();
     for (int i = 0; i < scene_.light_size(); ++i) light(i);
     for (int i = 0; i < scene_.material_size(); ++i) material(i);
     if (parts == Parts::all)
@@ -99,6 +100,14 @@ class Compiler {
   }
 
  private:
+  void observer() {
+    auto loaded = load_observer(scene_.settings(), "settings", assets_);
+    if (loaded)
+      result_.observer = *std::move(loaded);
+    else
+      problems_.push_back(std::move(loaded.error()));
+  }
+
   using SpectrumIndex = std::map<std::string, std::uint32_t>;
 
   void light(int index) {

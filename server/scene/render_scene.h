@@ -9,7 +9,7 @@
 #include "common/lights/registry.h"
 #include "common/models/reflection.h"
 #include "common/scene/fresnel.h"
-#include "common/spectral/spectrum.h"
+#include "common/spectral/cie.h"
 
 namespace metamer {
 
@@ -79,6 +79,7 @@ struct RenderObject {
 /// loaded once. Holds nothing of methods, wavelengths or threads. Immutable once compiled.
 struct RenderScene {
   RenderCamera camera;
+  Observer observer = cie::observer_1931();
   std::vector<RenderLight> lights;
   std::vector<RenderMaterial> materials;
   std::vector<RenderObject> objects;

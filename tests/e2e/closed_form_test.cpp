@@ -50,10 +50,10 @@ double cell_width(const std::vector<double>& nm, std::size_t i) {
 }
 
 /// XYZ of `diffuse_weight` C_D + `specular_weight` C_S under an illuminant of luminance 0.9.
-Triple expected(const std::string& illuminant, cie::Observer observer,
+Triple expected(const std::string& illuminant, const Observer& observer,
                 const std::vector<double>& nm, double diffuse_weight, double specular_weight) {
   const Table light = table(*cie::illuminant(illuminant));
-  const auto& functions = cie::matching_functions(observer);
+  const auto& functions = observer.functions();
   const std::array<Table, 3> bars = {table(functions[0]), table(functions[1]), table(functions[2])};
   Triple sum{};
   double light_y = 0;
@@ -134,9 +134,8 @@ TEST_F(ClosedForm, DiffuseQuadUnderAPointLight) {
       {{"--samples", "400:700:5"}, uniform(400, 700, 5)},
       {{"--samples", "380:780:1"}, uniform(380, 780, 1)},
       {{"--wavelengths", "400,436,500,546,611,700"}, {400, 436, 500, 546, 611, 700}}};
-  const std::vector<std::pair<std::string, cie::Observer>> observers = {
-      {"cie-1931-2deg", cie::Observer::cie_1931_2deg},
-      {"cie-1964-10deg", cie::Observer::cie_1964_10deg}};
+  const std::vector<std::pair<std::string, Observer>> observers = {
+      {"cie-1931-2deg", cie::observer_1931()}, {"cie-1964-10deg", cie::observer_1964()}};
   for (const std::string illuminant : {"A", "D65", "F11"}) {
     for (const auto& [name, observer] : observers) {
       for (const Sampling& sampling : samplings) {
@@ -162,7 +161,7 @@ TEST_F(ClosedForm, HighlightOfBlinnPhong) {
   const double n_dot_l = light_position[2] / 5;
   const double n_dot_h = 1.8 / std::hypot(0.6, 1.8);
   expect_everywhere(scene, {"--light", "*=A"},
-                    expected("A", cie::Observer::cie_1931_2deg, uniform(400, 700, 5), 0.6 * n_dot_l,
+                    expected("A", cie::observer_1931(), uniform(400, 700, 5), 0.6 * n_dot_l,
                              0.4 * std::pow(n_dot_h, 12)));
 }
 
@@ -172,7 +171,7 @@ TEST_F(ClosedForm, LightFallsWithTheSquareOfItsDistance) {
   const double n_dot_l = light_position[2] / 5;
   expect_everywhere(
       scene, {},
-      expected("D65", cie::Observer::cie_1931_2deg, uniform(400, 700, 5), 0.7 * n_dot_l * 0.25, 0));
+      expected("D65", cie::observer_1931(), uniform(400, 700, 5), 0.7 * n_dot_l * 0.25, 0));
 }
 
 }  // namespace

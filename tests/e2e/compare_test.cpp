@@ -125,8 +125,7 @@ TEST_F(CompareCommand, TellsMetamersApartUnderASecondLight) {
   flat.reflectance = true;
   for (int nm = 400; nm <= 700; nm += 5) flat.nm.push_back(nm);
   flat.values.assign(flat.nm.size(), 0.5F);
-  const ObserverWeights weights =
-      under_light(cie::Observer::cie_1931_2deg, *cie::illuminant("E"), flat.nm);
+  const ObserverWeights weights = under_light(cie::observer_1931(), *cie::illuminant("E"), flat.nm);
   std::vector<std::vector<double>> seen;
   const auto remove_seen = [&](std::vector<double> v) {
     for (const auto& unit : seen) {

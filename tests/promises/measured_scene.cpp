@@ -45,7 +45,7 @@ MeasuredScene::MeasuredScene(const VariedScene& scene)
       geometry_(std::make_shared<cpu::Geometry>(scene_, 1)),
       probe_(geometry_) {
   probe_.prepare(never_);
-  PlainTruth truth(scene_, to_observer(settings_.observer()));
+  PlainTruth truth(scene_, scene_.observer);
   white_ = truth.white();
   TruthSink sink(truth, settings_, truth_);
   trace_all(pilot(), geometry_->embree(), sink);

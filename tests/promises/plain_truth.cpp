@@ -9,7 +9,7 @@
 
 namespace metamer::promises {
 
-PlainTruth::PlainTruth(const RenderScene& scene, cie::Observer observer)
+PlainTruth::PlainTruth(const RenderScene& scene, const Observer& observer)
     : factors_(factor_sources(scene), test::PlainSum::wavelengths()) {
   bool has_white = false;
   for (const RenderLight& light : scene.lights) {

@@ -17,7 +17,7 @@ namespace metamer::promises {
 class PlainTruth {
  public:
   /// `scene` must outlive it.
-  PlainTruth(const RenderScene& scene, cie::Observer observer);
+  PlainTruth(const RenderScene& scene, const Observer& observer);
 
   /// X Y Z, `scale` times the sums of `gather`.
   Xyz resolve(const Gather& gather, double scale);

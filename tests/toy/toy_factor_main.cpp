@@ -50,7 +50,7 @@ float relit(const RenderScene& scene, const Gather& gather) {
   plan.set_height(1);
   auto builder = FactorsBuilder::make(plan, scene_factors(scene));
   if (!builder || !builder->add(tile)) return 0;
-  return relight(builder->finish(), scene_factors(scene), cie::Observer::cie_1931_2deg).pixels[1];
+  return relight(builder->finish(), scene_factors(scene), cie::observer_1931()).pixels[1];
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ int main() {
     const v1::Plan plan = make_plan(scene, settings, {.threads = 1});
     expect(is_it(test::resolve(*make_method(plan, scene), gather)[1]), method.ShortDebugString());
   }
-  Reference reference(scene, cie::Observer::cie_1931_2deg);
+  Reference reference(scene, cie::observer_1931());
   expect(is_it(reference.resolve(gather, 1)[1]), "the reference");
   expect(is_it(relit(scene, gather)), "relighting");
   return failures == 0 ? 0 : 1;

@@ -3,14 +3,13 @@
 #include <numeric>
 
 #include "common/color/xyz.h"
-#include "common/scene/settings.h"
 #include "server/methods/banded.h"
 
 namespace metamer {
 
-std::unique_ptr<Method> make_toy(const v1::Plan& plan, const RenderScene& scene) {
+std::unique_ptr<Method> make_toy(const v1::Plan&, const RenderScene& scene) {
   const Wavelengths wavelengths = observer_wavelengths();
-  const ObserverWeights observer = observer_weights(to_observer(plan.observer()), wavelengths);
+  const ObserverWeights observer = observer_weights(scene.observer, wavelengths);
 
   BandTable lights(scene.lights.size(), 3);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {

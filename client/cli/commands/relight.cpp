@@ -9,7 +9,6 @@
 #include "client/cli/output/output.h"
 #include "client/cli/output/pictures.h"
 #include "client/tools/pictures/relit.h"
-#include "common/scene/settings.h"
 
 namespace metamer::cli {
 namespace {
@@ -138,13 +137,12 @@ std::string said(const RelightOptions& options) {
 }
 
 /// The plan of a picture that was not rendered again.
-bool make_plan(const RelightOptions& options, const v1::SceneFactors& scene, v1::Plan& plan,
+bool make_plan(const RelightOptions& options, v1::SceneFactors& scene, v1::Plan& plan,
                Report& report) {
   if (options.observer) {
-    const auto observer = observer_of(*options.observer);
-    if (!observer) return report.error(observer.error().message), false;
-    plan.set_observer(*observer == cie::Observer::cie_1931_2deg ? v1::CIE_1931_2DEG
-                                                                : v1::CIE_1964_10DEG);
+    const auto observer = load_observer(*options.observer, report);
+    if (!observer) return false;
+    client::swap_observer(*observer, scene, plan);
   }
   if (const auto applied = apply(options.development, *plan.mutable_development()); !applied)
     return report.error(applied.error().message), false;
@@ -162,7 +160,7 @@ ExitCode relight_file(const RelightOptions& options, Report& report) {
     return ExitCode::bad_input;
 
   const auto read = Clock::now();
-  const Image image = relight(*factors, scene, to_observer(factors->plan.observer()));
+  const Image image = relight(*factors, scene, client::observer_of(factors->plan, scene));
   const auto lit = Clock::now();
   report.document()["plan"] = to_json(factors->plan);
   report.document()["milliseconds"] = {{"read", milliseconds(start, read)},
@@ -198,9 +196,8 @@ void declare(RelightOptions& values, Options& options) {
                      .meaning = "a material's diffuse spectrum, or NAME.specular=: a CIE test "
                                 "colour, a file or FILE#ENTRY",
                      .type = "NAME=SPECTRUM"});
-  options.push_back({.names = "--observer",
-                     .target = &values.observer,
-                     .meaning = "cie-1931-2deg or cie-1964-10deg"});
+  options.push_back(
+      {.names = "--observer", .target = &values.observer, .meaning = observer_meaning});
   declare_development(values.development, "In place of what the picture was rendered with",
                       options);
   declare_picture_files(values.output, options);

@@ -1,7 +1,7 @@
 #include "client/tools/pictures/relit.h"
 
 #include "client/relight/relight.h"
-#include "common/scene/settings.h"
+#include "client/tools/scene/words.h"
 
 namespace metamer::client {
 namespace {
@@ -48,9 +48,17 @@ void swap_reflectance(const Property& property, const Spectrum& reflectance,
                                                        : *material.mutable_specular());
 }
 
+void swap_observer(const Observer& observer, v1::SceneFactors& scene, v1::Plan& plan) {
+  const auto cie = observer_named(observer.name());
+  plan.set_observer(cie.value_or(v1::CIE_1931_2DEG));
+  plan.set_observer_file(cie ? std::string() : observer.name());
+  scene.clear_observer();
+  for (const Spectrum& function : observer.functions()) set(function, *scene.add_observer());
+}
+
 void plan_relit(const v1::SceneFactors& scene, v1::Plan& plan) {
   plan.clear_source_white();
-  if (const auto white = source_white(scene, to_observer(plan.observer())))
+  if (const auto white = source_white(scene, observer_of(plan, scene)))
     for (const double value : *white) plan.add_source_white(value);
   plan.clear_auto_();
   plan.mutable_method()->mutable_exact();

@@ -30,8 +30,11 @@ void swap_light(const std::string& name, const Spectrum& power, v1::SceneFactors
 void swap_reflectance(const Property& property, const Spectrum& reflectance,
                       v1::SceneFactors& scene);
 
+/// Lets another observer see the picture, which the plan and the scene then name.
+void swap_observer(const Observer& observer, v1::SceneFactors& scene, v1::Plan& plan);
+
 /// Makes the plan that a picture was rendered by that of one which is relit: by the method `exact`,
-/// with the source white of the scene's first light to the plan's observer.
+/// with the source white of the scene's first light to observer_of.
 void plan_relit(const v1::SceneFactors& scene, v1::Plan& plan);
 
 }  // namespace metamer::client

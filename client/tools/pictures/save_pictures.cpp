@@ -13,7 +13,6 @@
 
 #include "client/relight/relight.h"
 #include "common/image/spectral_exr.h"
-#include "common/scene/settings.h"
 
 namespace metamer::client {
 namespace {
@@ -39,7 +38,7 @@ Result<void> write_spectra(const Pictures& pictures, const Wavelengths& waveleng
                                              std::to_string(max_image_values) +
                                              ": fewer wavelengths, or a smaller one"});
   Image bands = relight_spectral(*pictures.factors, *pictures.scene,
-                                 to_observer(pictures.plan.observer()), wavelengths);
+                                 observer_of(pictures.plan, *pictures.scene), wavelengths);
   return write_spectral_exr({.width = bands.width,
                              .height = bands.height,
                              .reflectance = false,
@@ -54,7 +53,8 @@ std::vector<SeenLight> mis_seen_lights(const Pictures& pictures, const Wavelengt
   constexpr double unnoticed = 0.02;
   std::vector<SeenLight> lights;
   for (const v1::SceneFactors::Light& light : pictures.scene->light()) {
-    const double share = seen_share(light, to_observer(pictures.plan.observer()), wavelengths);
+    const double share =
+        seen_share(light, observer_of(pictures.plan, *pictures.scene), wavelengths);
     if (std::abs(share - 1) > unnoticed) lights.push_back({light.name(), share});
   }
   return lights;

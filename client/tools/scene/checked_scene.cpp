@@ -53,9 +53,13 @@ fs::path CheckedScene::folder() const {
 void CheckedScene::check(DigestCache& digests) {
   // Find what is wrong with the scene itself and with its files' names, all of it.
   std::vector<Problem> problems = validate_scene(scene());
-  auto assets = collect_assets(scene(), folder(), [&](const fs::path& file, std::uint64_t limit) {
-    return digests.digest(file, limit);
-  });
+  Elsewhere elsewhere;
+  for (const Replaced& one : replaced_)
+    if (!one.file.empty()) elsewhere[one.field] = one.file;
+  auto assets = collect_assets(
+      scene(), folder(),
+      [&](const fs::path& file, std::uint64_t limit) { return digests.digest(file, limit); },
+      elsewhere);
   if (assets) {
     assets_ = std::move(*assets);
   } else {

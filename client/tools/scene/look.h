@@ -2,6 +2,7 @@
 
 #include <google/protobuf/field_mask.pb.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@ namespace metamer::client {
 struct Replaced {
   std::string field;  ///< "settings.spp"
   std::string by;     ///< "--spp"
+  /// Of a field that names a file: it lies there, and not in the scene's folder.
+  std::filesystem::path file = {};
 };
 
 /// Other light for a scene.

@@ -14,7 +14,7 @@ using google::protobuf::EnumValueDescriptor;
 /// Null when the word names nothing.
 const EnumValueDescriptor* find(const std::string& word, const EnumDescriptor& type) {
   for (int i = 0; i < type.value_count(); ++i)
-    if (word_of(*type.value(i)) == word) return type.value(i);
+    if (word_of(*type.value(i)) == word || type.value(i)->name() == word) return type.value(i);
   return nullptr;
 }
 
@@ -44,10 +44,9 @@ Result<int> value_named(const std::string& word, const char* what, const EnumDes
 }
 
 Result<v1::Observer> observer_named(const std::string& word) {
-  const EnumDescriptor& type = *v1::Observer_descriptor();
-  if (const EnumValueDescriptor* value = find(word, type))
-    return static_cast<v1::Observer>(value->number());
-  return problem("no observer named " + quoted(word) + did_you_mean(word, words_of(type)));
+  return value_named(word, "observer", *v1::Observer_descriptor()).map([](int value) {
+    return static_cast<v1::Observer>(value);
+  });
 }
 
 Result<v1::Adaptation> adaptation_named(const std::string& word) {

@@ -8,7 +8,8 @@
 #include "common/problem.h"
 #include "metamer/v1/scene.pb.h"
 
-/// The words that people write for the schema's enumerations: CIE_1931_2DEG is "cie-1931-2deg".
+/// The words that people write for the schema's enumerations: CIE_1931_2DEG is "cie-1931-2deg", or
+/// that itself, as scene files have it.
 /// Errors say which word names nothing, and which was perhaps meant.
 namespace metamer::client {
 

@@ -5,7 +5,7 @@
 namespace metamer::client {
 
 Result<MetamerTable> metamer_table(const Spectrum& original, const NamedSpectrum& under,
-                                   const NamedSpectrum& against, cie::Observer observer) {
+                                   const NamedSpectrum& against, const Observer& observer) {
   auto made = make_metamer(original, under.spectrum, against.spectrum, observer);
   if (!made) return tl::unexpected(std::move(made.error()));
   std::vector<NamedSpectrum> lights = cie_lights();

@@ -17,7 +17,7 @@ struct MetamerTable {
 /// Errors: those of make_metamer. A light that bears the name of a CIE illuminant is in the table
 /// once, as the CIE's.
 Result<MetamerTable> metamer_table(const Spectrum& original, const NamedSpectrum& under,
-                                   const NamedSpectrum& against, cie::Observer observer);
+                                   const NamedSpectrum& against, const Observer& observer);
 
 /// The light by which a metamer is told from its original where none is named: A, or D65 where
 /// they match under A (CIE 15:2004, 9.2.2: metamers of daylight are to be tried under A).

@@ -25,7 +25,7 @@ ResampledSpectrum resampled(const LoadedSpectrum& one, const Wavelengths& wavele
   return result;
 }
 
-Result<NormalizedSpectrum> normalized(const LoadedSpectrum& one, cie::Observer observer,
+Result<NormalizedSpectrum> normalized(const LoadedSpectrum& one, const Observer& observer,
                                       double luminance) {
   if (!one.emission)
     return problem(quoted(one.label) +

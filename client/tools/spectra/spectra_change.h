@@ -28,7 +28,7 @@ struct NormalizedSpectrum {
 
 /// A light of that luminance (finite, above 0) to that observer. Errors: `one` is a reflectance;
 /// it is dark to the observer; its values overflow.
-Result<NormalizedSpectrum> normalized(const LoadedSpectrum& one, cie::Observer observer,
+Result<NormalizedSpectrum> normalized(const LoadedSpectrum& one, const Observer& observer,
                                       double luminance);
 
 }  // namespace metamer::client

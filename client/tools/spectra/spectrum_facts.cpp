@@ -7,14 +7,17 @@
 namespace metamer::client {
 namespace {
 
-EmissionFacts emission_facts(const Spectrum& light) {
-  const auto observed = [&](cie::Observer observer) {
+EmissionFacts emission_facts(const Spectrum& light, const Observer& own) {
+  std::vector<Observer> observers = {cie::observer_1931(), cie::observer_1964()};
+  if (own.name() != observers[0].name() && own.name() != observers[1].name())
+    observers.push_back(own);
+  EmissionFacts facts;
+  for (const Observer& observer : observers) {
     const Xyz xyz = emission_xyz(light, observer);
-    return ObservedLight{observer, xyz[1], chromaticity(xyz)};
-  };
-  EmissionFacts facts{
-      {observed(cie::Observer::cie_1931_2deg), observed(cie::Observer::cie_1964_10deg)}, {}, {}};
-  if (const auto own = facts.observed[0].chromaticity) facts.temperature = color_temperature(*own);
+    facts.observed.push_back({observer, xyz[1], chromaticity(xyz)});
+  }
+  if (const auto two_degrees = facts.observed[0].chromaticity)
+    facts.temperature = color_temperature(*two_degrees);
   if (const auto index = rendering_index(light)) facts.rendering = *index;
   return facts;
 }
@@ -30,13 +33,13 @@ ReflectanceFacts reflectance_facts(const Spectrum& reflectance, const ObserverWe
 }  // namespace
 
 Result<SpectrumFacts> spectrum_facts(const LoadedSpectrum& one, const Spectrum& light,
-                                     cie::Observer observer, TableWeights weights) {
+                                     const Observer& observer, TableWeights weights) {
   const Spectrum& spectrum = one.spectrum;
   const auto [least, most] = std::minmax_element(spectrum.values.begin(), spectrum.values.end());
   SpectrumFacts facts{
       spectrum.nm.front(), spectrum.nm.back(), spectrum.nm.size(), *least, *most, {}};
   if (one.emission) {
-    facts.look = emission_facts(spectrum);
+    facts.look = emission_facts(spectrum, observer);
     return facts;
   }
   return weights_under(weights, observer, light, spectrum.nm).map([&](const ObserverWeights& lit) {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "client/tools/spectra/spectra_files.h"
 #include "common/color/chromaticity.h"
@@ -16,13 +16,13 @@ namespace metamer::client {
 
 /// A light as an observer sees it.
 struct ObservedLight {
-  cie::Observer observer;
+  Observer observer;
   double luminance;                          ///< Y of E[3.2-2], the integral from 360 to 830 nm.
   std::optional<Chromaticity> chromaticity;  ///< Nothing: it is dark.
 };
 
 struct EmissionFacts {
-  std::array<ObservedLight, 2> observed;  ///< By the observers of 1931 and 1964.
+  std::vector<ObservedLight> observed;  ///< By the observers of 1931 and 1964, and by one's own.
   // These are defined for the observer of 1931.
   std::optional<ColorTemperature> temperature;  ///< Nothing: no black body is like it.
   std::optional<RenderingIndex> rendering;      ///< Nothing where the CIE defines none.
@@ -41,10 +41,11 @@ struct SpectrumFacts {
   std::variant<EmissionFacts, ReflectanceFacts> look;
 };
 
-/// `light`, `observer` and `weights` are what a reflectance is seen by; an emission needs none.
+/// `light`, `observer` and `weights` are what a reflectance is seen by; an emission is seen by the
+/// CIE's observers, and by `observer` where it is another.
 /// Errors: those of weights_under.
 Result<SpectrumFacts> spectrum_facts(const LoadedSpectrum& one, const Spectrum& light,
-                                     cie::Observer observer,
+                                     const Observer& observer,
                                      TableWeights weights = TableWeights::lines);
 
 }  // namespace metamer::client

@@ -7,7 +7,7 @@ namespace metamer::client {
 namespace {
 
 /// X Y Z of a light of luminance 1, or of a reflectance under it.
-Result<Xyz> tristimulus(const LoadedSpectrum& one, const Spectrum& light, cie::Observer observer,
+Result<Xyz> tristimulus(const LoadedSpectrum& one, const Spectrum& light, const Observer& observer,
                         TableWeights weights) {
   if (one.emission) return white_of(light, observer);
   return weights_under(weights, observer, light, one.spectrum.nm)
@@ -25,7 +25,7 @@ Result<PlannedDevelopment> developing_under(const Xyz& white, const v1::Developm
 }  // namespace
 
 Result<SpectrumRgb> spectrum_rgb(const LoadedSpectrum& one, const Spectrum& light,
-                                 cie::Observer observer, double luminance,
+                                 const Observer& observer, double luminance,
                                  const v1::Development& development, TableWeights weights) {
   const Spectrum& shining = one.emission ? one.spectrum : light;
   const Xyz white = white_of(shining, observer);

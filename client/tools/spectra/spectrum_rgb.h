@@ -25,7 +25,7 @@ struct SpectrumRgb {
 /// picture that it alone lights. `luminance` is finite and above 0. Errors: a space that there
 /// can't be, those of weights_under.
 Result<SpectrumRgb> spectrum_rgb(const LoadedSpectrum& one, const Spectrum& light,
-                                 cie::Observer observer, double luminance,
+                                 const Observer& observer, double luminance,
                                  const v1::Development& development,
                                  TableWeights weights = TableWeights::lines);
 

@@ -75,6 +75,7 @@ std::string describe(const v1::Plan& plan) {
   std::string text = formatted("%ux%u, ", plan.width(), plan.height());
   text += counted(plan.spp(), "sample", "samples") + " per pixel, ";
   text += planned_method_text(plan) + ", ";
+  if (!plan.observer_file().empty()) text += "observer " + quoted(plan.observer_file()) + ", ";
   if (plan.backend() != "cpu") text += "by the " + plan.backend() + " backend, ";
   text += counted(plan.lights(), "light", "lights") + ", ";
   text += counted(plan.materials(), "material", "materials") + ", ";

@@ -25,8 +25,11 @@ std::string bounded(const v1::ColorError& error) {
 
 std::string seen_by(const v1::Accuracy& accuracy) {
   if (accuracy.white_size() != 3) return "";
-  const auto* observer = v1::Observer_descriptor()->FindValueByNumber(accuracy.observer());
-  return " (" + (observer ? word_of(*observer) + ", " : "") +
+  const auto* cie = v1::Observer_descriptor()->FindValueByNumber(accuracy.observer());
+  const std::string observer = !accuracy.observer_file().empty() ? quoted(accuracy.observer_file())
+                               : cie != nullptr                  ? word_of(*cie)
+                                                                 : std::string();
+  return " (" + (observer.empty() ? observer : observer + ", ") +
          formatted("white X %.4g Y %.4g Z %.4g)", accuracy.white(0), accuracy.white(1),
                    accuracy.white(2));
 }

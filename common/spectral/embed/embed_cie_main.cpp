@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "common/spectral/files/spectrum_file.h"
-#include "common/spectral/sprague.h"
+#include "common/spectral/observer.h"
 
 namespace {
 
@@ -56,8 +56,10 @@ void write_tables(std::ostream& out, const std::string& name,
   out << "};\n\n";
 }
 
-/// colord's F10 has 0.0063 and 0.0881 where CIE 15:2004, table T.6, has 0.0080 and 0.0831: with
-/// these its chromaticity is the CIE's x 0.3458, y 0.3588, which was 0.3461, 0.3588.
+/// colord's F10 has 0.0063 at 385 nm, which is F11's value there, and 0.0881 at 605 nm, where the
+/// CIE's table (CIE 15:2004, T.6) has 0.0080 and 0.0831 as the Python package colour has it (FL10).
+/// The CIE's chromaticity, x 0.3458, y 0.3588, bears out the second alone: with 0.0881 x is 0.3461,
+/// and what is at 385 nm changes it by 3e-7.
 void correct_f10(metamer::Spectrum& light) {
   const auto correct = [&](double nm, double wrong, double right) {
     const auto at = std::find(light.nm.begin(), light.nm.end(), nm) - light.nm.begin();
@@ -81,19 +83,14 @@ std::vector<NamedSpectrum> read_illuminants(const std::string& folder) {
   return all;
 }
 
-/// By 1 nm, as the CIE tabulates them; the polynomial goes below 0 beside zeros, they do not.
+/// By 1 nm, as the CIE tabulates them.
 std::vector<NamedSpectrum> read_observers(const std::string& folder) {
   std::vector<NamedSpectrum> all = read(folder + "/cmf/CIE1931-2deg-XYZ.cmf", 3);
   for (NamedSpectrum& function : read(folder + "/cmf/CIE1964-10deg-XYZ.cmf", 3)) {
     all.push_back(std::move(function));
   }
-  for (NamedSpectrum& function : all) {
-    const std::vector<double> nm = metamer::observer_wavelengths().nm();
-    auto fine = metamer::sprague(function.spectrum, nm);
-    if (!fine) fail("embed_cie: " + function.name + ": " + fine.error().message);
-    for (double& value : *fine) value = std::max(value, 0.0);
-    function.spectrum = {nm, std::move(*fine)};
-  }
+  for (NamedSpectrum& function : all)
+    function.spectrum = metamer::matching_function(function.spectrum);
   return all;
 }
 

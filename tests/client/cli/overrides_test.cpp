@@ -51,6 +51,29 @@ TEST(Overrides, EachReplacesItsSetting) {
   EXPECT_TRUE(scene.settings().method().has_rgb());
 }
 
+TEST(Overrides, AnObserverTakesThePlaceOfAFileAndAFileThatOfAnObserver) {
+  v1::Scene scene = scene_from("settings { observer_file: 'eye.csv' }");
+  Overrides overrides;
+  overrides.observer = "CIE_1964_10DEG";
+  ASSERT_TRUE(apply(overrides, scene));
+  EXPECT_EQ(scene.settings().observer(), v1::CIE_1964_10DEG);
+  EXPECT_EQ(scene.settings().observer_file(), "");
+
+  // A file lies where the words say, and not where the scene is.
+  const std::string file = METAMER_TEST_DATA "/CMakeLists.txt";
+  overrides.observer = file;
+  const auto replaced = apply(overrides, scene);
+  ASSERT_TRUE(replaced);
+  EXPECT_EQ(scene.settings().observer(), v1::CIE_1931_2DEG);
+  EXPECT_EQ(scene.settings().observer_file(), file);
+  ASSERT_EQ(replaced->size(), 1u);
+  EXPECT_EQ(replaced->front().field, "settings.observer_file");
+  EXPECT_EQ(replaced->front().file, file);
+
+  overrides.observer = "./nowhere.csv";
+  EXPECT_EQ(error_of(overrides), "--observer: file \"./nowhere.csv\" does not exist");
+}
+
 TEST(Overrides, OfTheDevelopmentReplaceWhatTheSceneSays) {
   v1::Scene scene =
       scene_from("settings { development { adaptation: SHARP primaries { red: 1 gamma: 2 } } }");
@@ -232,7 +255,9 @@ TEST(Overrides, ErrorsSayWhatWasExpected) {
   EXPECT_EQ(error_of(shading), "--shading: no shading named \"goraud\"; did you mean \"gouraud\"?");
   Overrides observer;
   observer.observer = "cie-1931";
-  EXPECT_EQ(error_of(observer), "--observer: no observer named \"cie-1931\"");
+  EXPECT_EQ(error_of(observer),
+            "--observer: no observer named \"cie-1931\"; there are cie-1931-2deg, cie-1964-10deg; "
+            "and there is no such file");
 
   for (const std::string bad : {"640", "640x", "x480", "640x480x3", "-1x5", "640x480 "}) {
     Overrides size;

@@ -91,7 +91,7 @@ Factors build() {
 }
 
 TEST(Relight, IsTheSumOfWeightsTimesTermsTimesTheLight) {
-  const Image image = relight(build(), scene(), cie::Observer::cie_1931_2deg);
+  const Image image = relight(build(), scene(), cie::observer_1931());
   EXPECT_NEAR(image.at(0, 0)[1], 0.75 * 0.5, 1e-6);
   const double glass = models::dielectric_fresnel(1, 1.5);
   EXPECT_NEAR(image.at(1, 0)[1], 2 * 0.5 * glass + 0.125, 1e-6);
@@ -101,16 +101,16 @@ TEST(Relight, TakesOtherSpectraOfTheSameNames) {
   v1::SceneFactors other = scene();
   set(*other.mutable_material(0)->mutable_diffuse(), {500}, {0.25});
   other.mutable_light(0)->set_luminance(2);
-  const Image image = relight(build(), other, cie::Observer::cie_1964_10deg);
+  const Image image = relight(build(), other, cie::observer_1964());
   EXPECT_NEAR(image.at(0, 0)[1], 2 * 0.75 * 0.25, 1e-6);
 }
 
 TEST(Relight, ASpectrumSumsToItsColour) {
   const Wavelengths all = observer_wavelengths();
   const Factors factors = build();
-  const Image spectral = relight_spectral(factors, scene(), cie::Observer::cie_1931_2deg, all);
-  const Image xyz = relight(factors, scene(), cie::Observer::cie_1931_2deg);
-  const ObserverWeights weights = observer_weights(cie::Observer::cie_1931_2deg, all);
+  const Image spectral = relight_spectral(factors, scene(), cie::observer_1931(), all);
+  const Image xyz = relight(factors, scene(), cie::observer_1931());
+  const ObserverWeights weights = observer_weights(cie::observer_1931(), all);
   for (int x = 0; x < 2; ++x) {
     const float* bands = spectral.at(x, 0);
     const Xyz sum = to_xyz(weights, {bands, bands + all.size()});
@@ -171,7 +171,7 @@ TEST(Relight, IsTheSumOverTheWaysOfAnyTables) {
     }
     auto builder = FactorsBuilder::make(plan(), scene());
     ASSERT_TRUE(builder->add(tile(factors)));
-    const Image image = relight(builder->finish(), scene(), cie::Observer::cie_1931_2deg);
+    const Image image = relight(builder->finish(), scene(), cie::observer_1931());
     for (int x = 0; x < 2; ++x) EXPECT_NEAR(image.at(x, 0)[1] / expected[x], 1, 2e-6) << round;
   }
 }
@@ -201,7 +201,7 @@ TEST(FactorsBuilder, PutsTilesTogetherWhoseTablesDiffer) {
   const Factors factors = builder->finish();
   EXPECT_EQ(factors.tables.product_parent_size(), 1);
   EXPECT_EQ(factors.tables.signature_product_size(), 3);
-  const auto observer = cie::Observer::cie_1931_2deg;
+  const auto& observer = cie::observer_1931();
   EXPECT_EQ(relight(factors, scene(), observer).pixels, relight(build(), scene(), observer).pixels);
 }
 

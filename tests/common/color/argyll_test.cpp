@@ -125,8 +125,8 @@ class Argyll : public testing::Test {
 
 TEST_F(Argyll, AgreesOnXyzAndLabOfAllTestColours) {
   const Wavelengths wavelengths = observer_wavelengths();
-  for (const auto& [word, observer] : {std::pair{"1931_2", cie::Observer::cie_1931_2deg},
-                                       std::pair{"1964_10", cie::Observer::cie_1964_10deg}})
+  for (const auto& [word, observer] :
+       {std::pair{"1931_2", cie::observer_1931()}, std::pair{"1964_10", cie::observer_1964()}})
     for (const char* light : {"A", "D50", "D65", "F2", "F7", "F11"}) {
       const std::vector<Seen> theirs = ask(light, word);
       ASSERT_EQ(theirs.size(), 16U) << light;
@@ -156,11 +156,11 @@ TEST_F(Argyll, SeesMonochromaticLightAlike) {
   }
   write("lines.ti3", measurements("DISPLAY", 1, 1, lines));
   for (const auto& [word, observer, tolerance] :
-       {std::tuple{"1931_2", cie::Observer::cie_1931_2deg, 5e-4},
-        std::tuple{"1964_10", cie::Observer::cie_1964_10deg, 3.5e-3}}) {
+       {std::tuple{"1931_2", cie::observer_1931(), 5e-4},
+        std::tuple{"1964_10", cie::observer_1964(), 3.5e-3}}) {
     const std::vector<Seen> theirs = run(std::string("-o ") + word + " lines.ti3");
     ASSERT_EQ(theirs.size(), lines.size());
-    const auto& functions = cie::matching_functions(observer);
+    const auto& functions = observer.functions();
     for (std::size_t i = 0; i < lines.size(); ++i)
       for (std::size_t c = 0; c < 3; ++c)
         EXPECT_NEAR(functions[c].values[i], theirs[i].xyz[c] / 683, tolerance)

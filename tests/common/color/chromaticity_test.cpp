@@ -11,13 +11,13 @@ namespace {
 
 Chromaticity seen(const Spectrum& light) {
   const Wavelengths wavelengths = *Wavelengths::uniform(380, 780, 5);
-  return *chromaticity(to_xyz(observer_weights(cie::Observer::cie_1931_2deg, wavelengths),
+  return *chromaticity(to_xyz(observer_weights(cie::observer_1931(), wavelengths),
                               resample(light, wavelengths.nm(), Outside::zero).values));
 }
 
 Chromaticity body(double kelvin) {
   const Wavelengths wavelengths = *Wavelengths::uniform(360, 830, 5);
-  return *chromaticity(to_xyz(observer_weights(cie::Observer::cie_1931_2deg, wavelengths),
+  return *chromaticity(to_xyz(observer_weights(cie::observer_1931(), wavelengths),
                               planckian(kelvin, wavelengths.nm()).values));
 }
 

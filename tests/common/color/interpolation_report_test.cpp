@@ -15,7 +15,7 @@
 namespace metamer {
 namespace {
 
-constexpr auto two_degrees = cie::Observer::cie_1931_2deg;
+const Observer& two_degrees = cie::observer_1931();
 constexpr ValueRange all_reflectances{0, 1};
 
 struct Loss {

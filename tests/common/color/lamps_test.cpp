@@ -128,13 +128,13 @@ void expect_alike(const Xyz& own, const Xyz& truth) {
 }
 
 TEST_P(Lamps, HaveTheXyzOfTheirIntegrals) {
-  expect_alike(emission_xyz(light_, cie::Observer::cie_1931_2deg), truth_.two);
-  expect_alike(emission_xyz(light_, cie::Observer::cie_1964_10deg), truth_.ten);
+  expect_alike(emission_xyz(light_, cie::observer_1931()), truth_.two);
+  expect_alike(emission_xyz(light_, cie::observer_1964()), truth_.ten);
 }
 
 TEST_P(Lamps, ShowAPaintAsItsIntegral) {
   const Spectrum& paint = *cie::test_color("TCS09");
-  const ObserverWeights lit = under_light(cie::Observer::cie_1931_2deg, light_, paint.nm);
+  const ObserverWeights lit = under_light(cie::observer_1931(), light_, paint.nm);
   expect_alike(to_xyz(lit, paint.values), truth_.tcs09);
 }
 

@@ -8,8 +8,6 @@
 namespace metamer {
 namespace {
 
-using cie::Observer;
-
 const Mismatch& under(const std::vector<Mismatch>& all, const std::string& light) {
   return *std::find_if(all.begin(), all.end(),
                        [&](const Mismatch& one) { return one.light == light; });
@@ -17,7 +15,7 @@ const Mismatch& under(const std::vector<Mismatch>& all, const std::string& light
 
 TEST(Metamerism, OfOneReflectanceWithItselfIsNone) {
   const Spectrum& paint = *cie::test_color("TCS09");
-  const auto all = metamerism(paint, paint, cie_lights(), Observer::cie_1931_2deg);
+  const auto all = metamerism(paint, paint, cie_lights(), cie::observer_1931());
   ASSERT_TRUE(all);
   EXPECT_EQ(all->size(), cie::illuminant_names().size());
   for (const Mismatch& one : *all) EXPECT_EQ(one.de00 + one.deab + one.deuv, 0) << one.light;
@@ -26,8 +24,7 @@ TEST(Metamerism, OfOneReflectanceWithItselfIsNone) {
 TEST(Metamerism, OfTwoGreysIsTheSameUnderEveryLight) {
   // L* of 0.5 and 0.2, CIE 15:2004, 8.2.1.
   const double expected = 116 * (std::cbrt(0.5) - std::cbrt(0.2));
-  const auto all =
-      metamerism({{500}, {0.5}}, {{500}, {0.2}}, cie_lights(), Observer::cie_1964_10deg);
+  const auto all = metamerism({{500}, {0.5}}, {{500}, {0.2}}, cie_lights(), cie::observer_1964());
   ASSERT_TRUE(all);
   for (const Mismatch& one : *all) {
     EXPECT_NEAR(one.deab, expected, 1e-10) << one.light;
@@ -37,8 +34,7 @@ TEST(Metamerism, OfTwoGreysIsTheSameUnderEveryLight) {
 
 TEST(Metamerism, UnderALightThatNobodySeesIsAnError) {
   const Spectrum grey = {{500}, {0.5}};
-  const auto all =
-      metamerism(grey, grey, {{"heat", {{900, 1000}, {1, 1}}}}, Observer::cie_1931_2deg);
+  const auto all = metamerism(grey, grey, {{"heat", {{900, 1000}, {1, 1}}}}, cie::observer_1931());
   ASSERT_FALSE(all);
   EXPECT_EQ(all.error().message, "the light \"heat\" has no white to see");
 }
@@ -64,7 +60,7 @@ double far_metamer(const Spectrum& paint, const char* against, Observer observer
 }
 
 TEST(MakeMetamer, MatchesUnderOneLightAndDiffersUnderAnother) {
-  for (const Observer observer : {Observer::cie_1931_2deg, Observer::cie_1964_10deg})
+  for (const Observer& observer : {cie::observer_1931(), cie::observer_1964()})
     for (const std::string& name : cie::test_color_names()) {
       SCOPED_TRACE(name);
       EXPECT_GT(far_metamer(*cie::test_color(name), "F11", observer), 5);
@@ -77,7 +73,7 @@ TEST(MakeMetamer, MatchesWhereManyBoundsMeet) {
   const Spectrum steps = {{400, 450, 500, 550, 600, 650, 700}, {0, 0, 1, 1, 1, 0, 1}};
   for (const char* against : {"A", "C", "F11"}) {
     SCOPED_TRACE(against);
-    EXPECT_LT(far_metamer(steps, against, Observer::cie_1931_2deg), 0.1);
+    EXPECT_LT(far_metamer(steps, against, cie::observer_1931()), 0.1);
   }
 }
 
@@ -85,7 +81,7 @@ TEST(MakeMetamer, AddsNothingNarrow) {
   // Steepest of cosines that reach ±1 together: a paint's flanks are no steeper than half of 47 nm.
   const Spectrum grey = {{500}, {0.5}};
   const auto made =
-      make_metamer(grey, *cie::illuminant("D65"), *cie::illuminant("A"), Observer::cie_1931_2deg);
+      make_metamer(grey, *cie::illuminant("D65"), *cie::illuminant("A"), cie::observer_1931());
   ASSERT_TRUE(made);
   // Bernstein's inequality: |f'| ≤ degree · max|f|, in radians over 470 nm for π.
   const auto& values = made->reflectance.values;
@@ -98,7 +94,7 @@ TEST(MakeMetamer, IsAsFarInsideASmallerBoxOrNearer) {
   // one.
   const auto far = [](double grey) {
     return make_metamer({{500}, {grey}}, *cie::illuminant("D65"), *cie::illuminant("F11"),
-                        Observer::cie_1931_2deg)
+                        cie::observer_1931())
         ->de00;
   };
   EXPECT_GT(far(0.5), far(0.9));
@@ -106,7 +102,7 @@ TEST(MakeMetamer, IsAsFarInsideASmallerBoxOrNearer) {
 }
 
 std::string error_of(const Spectrum& paint, const char* under, const char* against,
-                     Observer observer = Observer::cie_1931_2deg) {
+                     Observer observer = cie::observer_1931()) {
   const auto made =
       make_metamer(paint, *cie::illuminant(under), *cie::illuminant(against), observer);
   return made ? "" : made.error().message;
@@ -114,7 +110,7 @@ std::string error_of(const Spectrum& paint, const char* under, const char* again
 
 TEST(MakeMetamer, OfWhatHasNoneIsAnError) {
   const char* none = "no smooth reflectance in 0..1 matches it there and differs from it elsewhere";
-  for (const Observer observer : {Observer::cie_1931_2deg, Observer::cie_1964_10deg})
+  for (const Observer& observer : {cie::observer_1931(), cie::observer_1964()})
     for (const char* against : {"A", "C", "F4", "F11"}) {
       EXPECT_EQ(error_of({{500}, {1}}, "D65", against, observer), none) << "white, " << against;
       EXPECT_EQ(error_of({{500}, {0}}, "D65", against, observer), none) << "black, " << against;

@@ -13,7 +13,7 @@
 namespace metamer {
 namespace {
 
-constexpr auto observer = cie::Observer::cie_1931_2deg;
+const Observer& observer = cie::observer_1931();
 
 std::vector<double> bands(double from, double to, double step) {
   return Wavelengths::uniform(from, to, step)->nm();

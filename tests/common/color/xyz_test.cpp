@@ -8,8 +8,6 @@
 namespace metamer {
 namespace {
 
-using cie::Observer;
-
 struct White {
   const char* light;
   double x, y;
@@ -47,7 +45,7 @@ TEST(WhitePoints, AreThePublishedOnesFor2Degrees) {
                                                {"D55", 0.33242, 0.34743},
                                                {"D65", 0.31272, 0.32903},
                                                {"E", 0.33333, 0.33333}}) {
-    expect_white(Observer::cie_1931_2deg, white, 5e-5);
+    expect_white(cie::observer_1931(), white, 5e-5);
   }
 }
 
@@ -65,7 +63,7 @@ TEST(WhitePoints, OfFluorescentLampsAreThePublishedOnes) {
                                                {"F10", 0.3458, 0.3588},
                                                {"F11", 0.3805, 0.3769},
                                                {"F12", 0.4370, 0.4042}}) {
-    expect_white(Observer::cie_1931_2deg, white, 8e-5);
+    expect_white(cie::observer_1931(), white, 8e-5);
   }
 }
 
@@ -76,13 +74,13 @@ TEST(WhitePoints, AreThePublishedOnesFor10Degrees) {
                                                {"D55", 0.33411, 0.34877},
                                                {"D65", 0.31382, 0.33100},
                                                {"E", 0.33333, 0.33333}}) {
-    expect_white(Observer::cie_1964_10deg, white, 5e-5);
+    expect_white(cie::observer_1964(), white, 5e-5);
   }
   // These were summed by 1 nm.
   for (const White& white : std::vector<White>{
            {"F2", 0.37925, 0.36733}, {"F7", 0.31569, 0.32960}, {"F11", 0.38541, 0.37123}}) {
     const Chromaticity c =
-        chromaticity(emission_xyz(*cie::illuminant(white.light), Observer::cie_1964_10deg));
+        chromaticity(emission_xyz(*cie::illuminant(white.light), cie::observer_1964()));
     EXPECT_NEAR(c.x, white.x, 2e-5) << white.light;
     EXPECT_NEAR(c.y, white.y, 2e-5) << white.light;
   }
@@ -100,9 +98,9 @@ double between(const Spectrum& table, double nm) {
 TEST(Xyz, OfTheTestColoursEqualsPlainSums) {
   const Wavelengths wavelengths = *Wavelengths::uniform(400, 700, 1);
   const Spectrum& light = *cie::illuminant("D65");
-  for (const Observer observer : {Observer::cie_1931_2deg, Observer::cie_1964_10deg}) {
+  for (const Observer& observer : {cie::observer_1931(), cie::observer_1964()}) {
     const ObserverWeights weights = observer_weights(observer, wavelengths);
-    const auto& functions = cie::matching_functions(observer);
+    const auto& functions = observer.functions();
     for (const std::string& name : cie::test_color_names()) {
       const Spectrum& paint = *cie::test_color(name);
 
@@ -128,8 +126,8 @@ TEST(Xyz, TakesEachSampleWithItsOwnCell) {
   // Positions on nodes of the tables, 10 to 60 nm apart; widths by Fig. 4-2.
   const Wavelengths wavelengths = *Wavelengths::listed({450, 460, 490, 550});
   const double widths[] = {10, 20, 45, 60};
-  const auto& functions = cie::matching_functions(Observer::cie_1931_2deg);
-  const ObserverWeights weights = observer_weights(Observer::cie_1931_2deg, wavelengths);
+  const auto& functions = cie::observer_1931().functions();
+  const ObserverWeights weights = observer_weights(cie::observer_1931(), wavelengths);
   for (std::size_t c = 0; c < 3; ++c) {
     for (std::size_t i = 0; i < 4; ++i) {
       EXPECT_EQ(weights.weights[c][i], between(functions[c], wavelengths.nm()[i]) * widths[i]);
@@ -139,13 +137,13 @@ TEST(Xyz, TakesEachSampleWithItsOwnCell) {
 
 TEST(Xyz, IsBlackOutsideTheObserver) {
   const Wavelengths wavelengths = *Wavelengths::listed({200, 359, 831, 1000});
-  const ObserverWeights weights = observer_weights(Observer::cie_1931_2deg, wavelengths);
+  const ObserverWeights weights = observer_weights(cie::observer_1931(), wavelengths);
   EXPECT_EQ(to_xyz(weights, {1, 1, 1, 1}), (Xyz{0, 0, 0}));
 }
 
 TEST(Luminance, IsExactlyTheOneAskedFor) {
   const Wavelengths wavelengths = *Wavelengths::uniform(400, 700, 5);
-  for (const Observer observer : {Observer::cie_1931_2deg, Observer::cie_1964_10deg}) {
+  for (const Observer& observer : {cie::observer_1931(), cie::observer_1964()}) {
     const ObserverWeights weights = observer_weights(observer, wavelengths);
     for (const std::string& name : cie::illuminant_names()) {
       for (const double luminance : {1.0, 0.25, 100.0}) {
@@ -161,7 +159,7 @@ TEST(Luminance, IsExactlyTheOneAskedFor) {
 
 TEST(Luminance, OfALightThatNobodySeesHasTheScale0) {
   const ObserverWeights weights =
-      observer_weights(Observer::cie_1931_2deg, *Wavelengths::listed({400, 900}));
+      observer_weights(cie::observer_1931(), *Wavelengths::listed({400, 900}));
   EXPECT_EQ(luminance_scale(weights, {0, 0}, 1), 0);
   EXPECT_EQ(luminance_scale(weights, {0, 5}, 1), 0) << "infrared";
   EXPECT_EQ(luminance_scale(weights, {std::numeric_limits<double>::denorm_min(), 0}, 1), 0)

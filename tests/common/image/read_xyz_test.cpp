@@ -85,7 +85,7 @@ TEST_F(ReadXyz, LightsAReflectanceBetweenItsBands) {
     expect_xyz(read_xyz(folder_ / "a.exr", {.under = cie::illuminant("F11")}), xyz, 1e-6);
   }
   // Their difference by the same numpy; with a white of other weights it was 41.4.
-  const Xyz f11 = white_of(*cie::illuminant("F11"), cie::Observer::cie_1931_2deg);
+  const Xyz f11 = white_of(*cie::illuminant("F11"), cie::observer_1931());
   const auto lab = [&](const char* name) {
     write_spectrum(folder_ / "a.exr", true, nm,
                    resample(*cie::test_color(name), nm, Outside::hold).values);
@@ -97,7 +97,7 @@ TEST_F(ReadXyz, LightsAReflectanceBetweenItsBands) {
   // White is white, whatever the bands.
   write_spectrum(folder_ / "a.exr", true, {460, 470, 600}, {1, 1, 1});
   expect_xyz(read_xyz(folder_ / "a.exr", {.under = cie::illuminant("F11")}),
-             white_of(*cie::illuminant("F11"), cie::Observer::cie_1931_2deg), 1e-6);
+             white_of(*cie::illuminant("F11"), cie::observer_1931()), 1e-6);
 }
 
 TEST_F(ReadXyz, TakesAnEmissionForBandMeans) {
@@ -105,15 +105,15 @@ TEST_F(ReadXyz, TakesAnEmissionForBandMeans) {
   // A straight line is seen as its integral.
   const Spectrum line{{360, 830}, {1, 3}};
   write_spectrum(folder_ / "a.exr", false, nm, resample(line, nm, Outside::zero).values);
-  const Xyz whole = emission_xyz(line, cie::Observer::cie_1931_2deg);
+  const Xyz whole = emission_xyz(line, cie::observer_1931());
   expect_xyz(read_xyz(folder_ / "a.exr", {}), whole, 1e-4);
   // F11, whose samples at those bands are ΔE00 11.3 off, is 0.10 off by numpy.
   const Spectrum& lamp = *cie::illuminant("F11");
   write_spectrum(folder_ / "a.exr", false, nm, band_means(lamp, nm));
   const auto read = read_xyz(folder_ / "a.exr", {});
   ASSERT_TRUE(read);
-  const Xyz white = white_of(lamp, cie::Observer::cie_1931_2deg);
-  const double y = emission_xyz(lamp, cie::Observer::cie_1931_2deg)[1];
+  const Xyz white = white_of(lamp, cie::observer_1931());
+  const double y = emission_xyz(lamp, cie::observer_1931())[1];
   const float* pixel = read->image.at(0, 0);
   EXPECT_NEAR(
       delta_e_00(to_lab({pixel[0] / y, pixel[1] / y, pixel[2] / y}, white), to_lab(white, white)),

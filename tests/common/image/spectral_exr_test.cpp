@@ -202,7 +202,7 @@ TEST_F(SpectralExr, OfAnEmissionIsSeenByTheObserverAskedFor) {
   EXPECT_NEAR(seen->image.at(0, 0)[0], 0.2904 * 2 * 5, 0.012);
   EXPECT_NEAR(seen->image.at(0, 0)[1], 0.954 * 2 * 5, 0.012);
   EXPECT_NEAR(seen->image.at(0, 0)[2], 0.0203 * 2 * 5, 0.012);
-  const auto wide = read_xyz(folder_ / "a.exr", {.observer = cie::Observer::cie_1964_10deg});
+  const auto wide = read_xyz(folder_ / "a.exr", {.observer = cie::observer_1964()});
   ASSERT_TRUE(wide);
   EXPECT_NEAR(wide->image.at(0, 0)[0], 0.376772 * 2 * 5, 0.012);
 }

@@ -65,6 +65,41 @@ TEST_F(SceneAssets, EachFileOnceWithItsDigestInTheScenesOrder) {
   EXPECT_EQ((*assets)[1].path, fs::canonical(folder_ / "mesh/cube.ply"));
 }
 
+TEST_F(SceneAssets, AnObserversFileIsOne) {
+  write("eye.csv", "400,1,1,1\n");
+  v1::Scene scene = meshes({"mesh/cube.ply"});
+  scene.mutable_settings()->set_observer_file("eye.csv");
+  EXPECT_EQ(names(scene),
+            Strings({"settings.observer_file eye.csv", "object[0].mesh.file mesh/cube.ply"}));
+  scene.mutable_settings()->set_observer_file("../outside.ply");
+  EXPECT_EQ(names(scene),
+            Strings({"settings.observer_file: file \"../outside.ply\" leads out of the "
+                     "scene's folder"}));
+}
+
+TEST_F(SceneAssets, OfAFieldThatIsSaidToLieElsewhereAreTakenFromThere) {
+  v1::Scene scene;
+  scene.mutable_settings()->set_observer_file("../outside.ply");
+  const Elsewhere elsewhere = {{"settings.observer_file", root_ / "outside.ply"}};
+  const auto assets = collect_assets(scene, folder_, digest_file, elsewhere);
+  ASSERT_TRUE(assets);
+  ASSERT_EQ(assets->size(), 1u);
+  EXPECT_EQ(assets->front().name, "../outside.ply");
+  EXPECT_EQ(assets->front().sha256, sha256("secret\n"));
+
+  // Its name must not be another's.
+  scene.add_material()->mutable_diffuse()->set_file("spectra/tcs.sp");
+  scene.mutable_settings()->set_observer_file("spectra/tcs.sp");
+  const auto both = collect_assets(scene, folder_, digest_file, elsewhere);
+  ASSERT_FALSE(both);
+  EXPECT_EQ(describe(both.error()),
+            Strings{"settings.observer_file: another file of the scene is called "
+                    "\"spectra/tcs.sp\", too"});
+  const auto none = collect_assets(scene, folder_, digest_file,
+                                   {{"settings.observer_file", root_ / "nothing.csv"}});
+  EXPECT_FALSE(none);
+}
+
 TEST_F(SceneAssets, PathsMayNotLeaveTheFolder) {
   EXPECT_EQ(names(meshes({"../outside.ply", "mesh/../../outside.ply", "/etc/passwd", ".."})),
             Strings({"object[0].mesh.file: file \"../outside.ply\" leads out of the scene's folder",

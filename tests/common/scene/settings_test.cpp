@@ -99,8 +99,8 @@ TEST(Settings, OfAGoalMustBeAboveZeroAndStandAlone) {
 }
 
 TEST(Settings, BothObserversHaveTheirTable) {
-  EXPECT_EQ(to_observer(v1::CIE_1931_2DEG), cie::Observer::cie_1931_2deg);
-  EXPECT_EQ(to_observer(v1::CIE_1964_10DEG), cie::Observer::cie_1964_10deg);
+  EXPECT_EQ(to_observer(v1::CIE_1931_2DEG), cie::observer_1931());
+  EXPECT_EQ(to_observer(v1::CIE_1964_10DEG), cie::observer_1964());
 }
 
 TEST(Settings, SizesOverTheLimits) {

@@ -121,6 +121,42 @@ TEST(SceneSpectrum, ValuesInFilesMustSuitTheirRole) {
             "m.file: \"neg.txt\" has -2 at 500 nm; an emission must not be negative");
 }
 
+TEST(SceneObserver, IsTheCiesOrThatOfItsFile) {
+  Files files{.files = {{"eye.csv", "nm,x,y,z\n400,0,0.5,1\n700,1,0.5,0\n"}}, .reads = {}};
+  v1::Settings settings;
+  EXPECT_EQ(*load_observer(settings, "settings", files.reader()), cie::observer_1931());
+  settings.set_observer(v1::CIE_1964_10DEG);
+  EXPECT_EQ(*load_observer(settings, "settings", files.reader()), cie::observer_1964());
+  settings.clear_observer();
+  settings.set_observer_file("eye.csv");
+  const auto own = load_observer(settings, "settings", files.reader());
+  ASSERT_TRUE(own);
+  EXPECT_EQ(own->name(), "eye.csv");
+  EXPECT_EQ(own->functions()[2].values, std::vector<double>({1, 0}));
+}
+
+TEST(SceneObserver, ThatIsWrongIsLocatedInItsFile) {
+  Files files{.files = {{"eye.csv", "400,0,0.5,1\n700,1,-0.5,0\n"}}, .reads = {}};
+  v1::Scene scene;
+  scene.mutable_settings()->set_observer_file("eye.csv");
+  auto problems = validate_spectra(scene, files.reader());
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].field, "settings.observer_file");
+  EXPECT_EQ(format(problems[0]),
+            "eye.csv: error: is no observer: ȳ must not be negative (it is -0.5 at 700 nm)");
+  scene.mutable_settings()->set_observer_file("none.csv");
+  problems = validate_spectra(scene, files.reader());
+  EXPECT_EQ(describe(problems), Strings{"settings.observer_file: file \"none.csv\" is not there"});
+}
+
+TEST(SceneObserver, IsTheCiesOrOnesOwnAndNotBoth) {
+  EXPECT_EQ(findings({.settings = "settings { observer_file: 'eye.csv' }"}), Strings{});
+  EXPECT_EQ(
+      findings({.settings = "settings { observer: CIE_1964_10DEG observer_file: 'eye.csv' }"}),
+      Strings{"settings.observer_file: an observer_file takes the place of observer, which is "
+              "given too: leave out one"});
+}
+
 TEST(SceneSpectrum, SourcesThatAreWrongByThemselves) {
   EXPECT_EQ(light_spectrum(""),
             Strings({"light[0].spectrum: spectrum needs a standard, a file, a constant or "

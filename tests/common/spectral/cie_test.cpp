@@ -41,13 +41,13 @@ TEST(CieTables, AreSoundSpectra) {
 
 TEST(CieTables, OfTheObserversHoldThePublishedValues) {
   // CIE 15, tables T.4 and T.5.
-  const auto& two = cie::matching_functions(cie::Observer::cie_1931_2deg);
+  const auto& two = cie::observer_1931().functions();
   EXPECT_EQ(value_at(two[0], 600), 1.0622);
   EXPECT_EQ(value_at(two[1], 555), 1.0);
   EXPECT_EQ(value_at(two[2], 445), 1.7826);
   EXPECT_EQ(two[0].nm.front(), 360);
   EXPECT_EQ(two[0].nm.back(), 830);
-  const auto& ten = cie::matching_functions(cie::Observer::cie_1964_10deg);
+  const auto& ten = cie::observer_1964().functions();
   EXPECT_EQ(value_at(ten[0], 595), 1.1343);
   EXPECT_EQ(value_at(ten[1], 555), 0.99911);
   EXPECT_EQ(value_at(ten[2], 445), 2.0273);
@@ -59,7 +59,7 @@ TEST(CieTables, OfTheObserversComeNearThePublishedOnesBy1Nm) {
     double nm;
     std::array<double, 3> xyz;
   };
-  const auto& two = cie::matching_functions(cie::Observer::cie_1931_2deg);
+  const auto& two = cie::observer_1931().functions();
   for (const Row& row : std::vector<Row>{{453, {0.3266357, 0.04376600, 1.7589438}},
                                          {466, {0.2408475, 0.07701600, 1.4861114}},
                                          {471, {0.1842136, 0.09491755, 1.2374223}},
@@ -77,8 +77,8 @@ TEST(CieTables, OfTheObserversComeNearThePublishedOnesBy1Nm) {
 }
 
 TEST(CieTables, OfTheObserversAreNowhereBelow0) {
-  for (const auto observer : {cie::Observer::cie_1931_2deg, cie::Observer::cie_1964_10deg})
-    for (const Spectrum& function : cie::matching_functions(observer)) {
+  for (const auto& observer : {cie::observer_1931(), cie::observer_1964()})
+    for (const Spectrum& function : observer.functions()) {
       EXPECT_EQ(function.nm.size(), 471u) << "1 nm";
       for (const double value : function.values) EXPECT_GE(value, 0);
     }

@@ -129,7 +129,7 @@ Result<Pictures::Xyz> Pictures::by_gl(const v1::Method& method, ProgramCache& ca
 }
 
 std::vector<double> Pictures::differences(const Xyz& a, const Xyz& b) const {
-  const Reference reference(scene_, to_observer(settings_.observer()));
+  const Reference reference(scene_, scene_.observer);
   std::vector<double> all;
   for (std::size_t i = 0; i < a.size(); i += 3)
     all.push_back(delta_e_00(to_lab({a[i], a[i + 1], a[i + 2]}, reference.white()),

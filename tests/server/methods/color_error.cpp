@@ -40,7 +40,7 @@ class Reference {
  public:
   explicit Reference(const RenderScene& scene)
       : nm_(dense().nm()),
-        observer_(observer_weights(cie::Observer::cie_1931_2deg, dense())),
+        observer_(observer_weights(cie::observer_1931(), dense())),
         light_(resample(scene.emissions[0], nm_, Outside::zero).values) {
     const double scale = luminance_scale(observer_, light_, 1);
     for (double& value : light_) value *= scale;

@@ -51,7 +51,7 @@ TEST(Fitted, OfALightOfThreeLinesTakesTheLines) {
             "samples { wavelength: [434, 436, 438, 544, 546, 548, 609, 611, 613] value: [0, 2, "
             "0, 0, 1, 0, 0, 3, 0] }"),
       12);
-  const auto nm = fitted_wavelengths(scene, cie::Observer::cie_1931_2deg, 3);
+  const auto nm = fitted_wavelengths(scene, cie::observer_1931(), 3);
   ASSERT_EQ(nm.size(), 3u);
   EXPECT_NEAR(nm[0], 436, 1);
   EXPECT_NEAR(nm[1], 546, 1);
@@ -105,15 +105,15 @@ TEST(TrainingSet, IsBoundedHoweverManyLightsAndSurfacesThereAre) {
   const std::string lights = light("a", "standard: 'A'") + light("b", "standard: 'E'");
   for (const unsigned paints : {5u, 40u, 300u}) {
     const RenderScene scene = scene_of(lights, paints, paints);
-    const TrainingSet set = make_training_set(scene, cie::Observer::cie_1931_2deg, 500);
+    const TrainingSet set = make_training_set(scene, cie::observer_1931(), 500);
     EXPECT_LE(set.spectra.cols(), 500);
     EXPECT_EQ(set.whites, 2);
     EXPECT_TRUE(set.weights.allFinite());
   }
   // Two lights by themselves, over white and five paints, and over those in five mirrors.
-  EXPECT_EQ(make_training_set(scene_of(lights, 5, 5), cie::Observer::cie_1931_2deg).spectra.cols(),
+  EXPECT_EQ(make_training_set(scene_of(lights, 5, 5), cie::observer_1931()).spectra.cols(),
             2 * (1 + 6 + 5 * 6));
-  EXPECT_EQ(make_training_set(scene_of(lights, 5), cie::Observer::cie_1931_2deg).spectra.cols(),
+  EXPECT_EQ(make_training_set(scene_of(lights, 5), cie::observer_1931()).spectra.cols(),
             2 * (1 + 6));
 }
 

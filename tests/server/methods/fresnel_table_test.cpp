@@ -48,7 +48,7 @@ TEST(FresnelTable, ALineBetweenTwoNodesIsTheTermTo2e5ForEveryShippedMetalAndMedi
 /// What one light gives over a spectrum of reflection, in f64.
 Xyz lit(const Wavelengths& wavelengths, const std::string& light,
         const std::vector<double>& reflection) {
-  const ObserverWeights observer = observer_weights(cie::Observer::cie_1931_2deg, wavelengths);
+  const ObserverWeights observer = observer_weights(cie::observer_1931(), wavelengths);
   auto power = resample(*cie::illuminant(light), wavelengths.nm(), Outside::zero).values;
   const double scale = luminance_scale(observer, power, 1);
   for (std::size_t i = 0; i < power.size(); ++i) power[i] *= scale * reflection[i];

@@ -16,13 +16,13 @@
 namespace metamer {
 namespace {
 
-constexpr cie::Observer observer_choice = cie::Observer::cie_1931_2deg;
+const Observer& observer_choice = cie::observer_1931();
 
 /// That calculation joined the 5 nm samples of the observer's tables by straight lines.
 ObserverWeights observer_by_5_nm(const Wavelengths& wavelengths) {
   ObserverWeights result;
   for (std::size_t c = 0; c < result.weights.size(); ++c) {
-    const Spectrum& fine = cie::matching_functions(observer_choice)[c];
+    const Spectrum& fine = observer_choice.functions()[c];
     Spectrum coarse;
     for (std::size_t i = 0; i < fine.nm.size(); i += 5) {
       coarse.nm.push_back(fine.nm[i]);

@@ -88,7 +88,7 @@ std::string row_name(const v1::Method& method) {
 /// A lamp on every reflectance, its scene and the truth.
 class LitColors {
  public:
-  LitColors(const NamedText& lamp, cie::Observer observer) : observer_(observer) {
+  LitColors(const NamedText& lamp, const Observer& observer) {
     std::string text =
         "camera { eye { z: 3 } target {} } light { name: 'l' position { y: 2 } spectrum { " +
         lamp.text + " } }";
@@ -99,6 +99,7 @@ class LitColors {
               " } } object { name: " + name + " material: " + name + " sphere { radius: 1 } }";
     }
     scene_ = compile_text(text);
+    scene_.observer = observer;
     const PlainSum sum(scene_.emissions[0], observer);
     white_ = usable_white(sum.white());
     for (const RenderMaterial& material : scene_.materials)
@@ -109,8 +110,6 @@ class LitColors {
   /// Mean and worst ΔE00.
   std::pair<double, double> errors(const v1::Method& choice) const {
     v1::Settings settings;
-    settings.set_observer(observer_ == cie::Observer::cie_1931_2deg ? v1::CIE_1931_2DEG
-                                                                    : v1::CIE_1964_10DEG);
     *settings.mutable_method() = choice;
     const auto method = make_method(make_plan(scene_, settings, {.threads = 1}), scene_);
     double sum = 0, worst = 0;
@@ -126,7 +125,6 @@ class LitColors {
   }
 
  private:
-  cie::Observer observer_;
   RenderScene scene_;
   Xyz white_;
   std::vector<Lab> truth_;
@@ -138,7 +136,7 @@ std::string digits(double de00) {
   return text;
 }
 
-std::string lamp_table(const char* title, cie::Observer observer) {
+std::string lamp_table(const char* title, const Observer& observer) {
   std::string text = "\n## " + std::string(title) + "\n\n| method |", rule = "|---|";
   std::vector<LitColors> columns;
   for (const NamedText& lamp : shown_lamps()) {
@@ -173,8 +171,8 @@ comes straight from them (`build/methods.md` has mirrors). The truth is a plain 
 it is without X, Y or Z. The lamps that are no illuminants of the CIE's are in `tests/server/methods/lamps.cpp`: their lines
 are 0.05 nm to some nm wide, as their kind's are, and lie between whole nanometres. With `point`, a light is sampled at each
 wavelength, or is the mean of its cell.
-)" << lamp_table("CIE 1931, 2°", cie::Observer::cie_1931_2deg)
-       << lamp_table("CIE 1964, 10°", cie::Observer::cie_1964_10deg);
+)" << lamp_table("CIE 1931, 2°", cie::observer_1931())
+       << lamp_table("CIE 1964, 10°", cie::observer_1964());
   file.close();
   EXPECT_TRUE(file) << path;
 }

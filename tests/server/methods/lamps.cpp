@@ -97,7 +97,7 @@ const std::vector<double>& PlainSum::wavelengths() {
   return nm;
 }
 
-PlainSum::PlainSum(const Spectrum& light, cie::Observer observer) {
+PlainSum::PlainSum(const Spectrum& light, const Observer& observer) {
   std::vector<double> power = resample(light, wavelengths(), Outside::zero).values;
   if (light.nm.back() - light.nm.front() < sum_step) {
     const double at = (light.nm[1] - wavelengths().front()) / sum_step;
@@ -107,8 +107,7 @@ PlainSum::PlainSum(const Spectrum& light, cie::Observer observer) {
     power[below + 1] = 1 - power[below];
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    seen_[axis] =
-        resample(cie::matching_functions(observer)[axis], wavelengths(), Outside::zero).values;
+    seen_[axis] = resample(observer.functions()[axis], wavelengths(), Outside::zero).values;
     for (std::size_t i = 0; i < power.size(); ++i) seen_[axis][i] *= power[i];
   }
   const double luminance = std::accumulate(seen_[1].begin(), seen_[1].end(), 0.0);

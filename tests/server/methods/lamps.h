@@ -33,7 +33,7 @@ std::string text_of(const Spectrum& spectrum);
 class PlainSum {
  public:
   /// A line (as_emission) is shared by its two neighbours.
-  PlainSum(const Spectrum& light, cie::Observer observer);
+  PlainSum(const Spectrum& light, const Observer& observer);
 
   static const std::vector<double>& wavelengths();
   /// A surface's values at the sum's wavelengths.

@@ -81,7 +81,7 @@ bool has_notice(const v1::Plan& plan, const std::string& part) {
 Xyz white_of(const RenderScene& scene, const v1::Method& method) {
   const bool sampled = method.has_point() && !method.point().has_fitted();
   const Wavelengths wavelengths = sampled ? method_wavelengths(method) : dense();
-  const ObserverWeights observer = observer_weights(cie::Observer::cie_1931_2deg, wavelengths);
+  const ObserverWeights observer = observer_weights(cie::observer_1931(), wavelengths);
   auto power = method.point().lights() == v1::Point::CELLS
                    ? mean_power(scene.emissions[0], wavelengths)
                    : resample(scene.emissions[0], wavelengths.nm(), Outside::zero).values;

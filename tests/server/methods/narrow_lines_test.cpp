@@ -30,7 +30,7 @@ std::string scene_of(const Lamp& lamp) {
 Xyz truth_of(const Spectrum& light, int mirrors) {
   std::vector<double> reflectance = PlainSum::reflectance(paint);
   for (double& value : reflectance) value = std::pow(value, 1 + mirrors);
-  return PlainSum(light, cie::Observer::cie_1931_2deg)(reflectance);
+  return PlainSum(light, cie::observer_1931())(reflectance);
 }
 
 TEST(NarrowLines, ExactAndTheReferenceAreThePlainSum) {
@@ -40,7 +40,7 @@ TEST(NarrowLines, ExactAndTheReferenceAreThePlainSum) {
     *plan.mutable_method() = exact();
     plan.set_depth(1);
     const auto method = make_method(plan, scene);
-    Reference reference(scene, cie::Observer::cie_1931_2deg);
+    Reference reference(scene, cie::observer_1931());
     for (int mirrors = 0; mirrors <= 1; ++mirrors) {
       Gather gather(1);
       const std::uint32_t chain = mirrors == 0 ? 0 : gather.chain(0, {FactorKind::specular, 0, 1});
@@ -57,7 +57,7 @@ TEST(NarrowLines, ExactAndTheReferenceAreThePlainSum) {
       // Over a mirror, exact takes a product of two slopes within a nanometre for a line: 7e-4 of a
       // laser at most, with these steep paints.
       const Xyz seen{own[0], own[1], own[2]};
-      const Xyz white = usable_white(white_of(samples_of(lamp), cie::Observer::cie_1931_2deg));
+      const Xyz white = usable_white(white_of(samples_of(lamp), cie::observer_1931()));
       EXPECT_LT(delta_e_00(to_lab(seen, white), to_lab(truth, white)), mirrors == 0 ? 0.002 : 0.05)
           << lamp.name << " over " << mirrors;
     }
@@ -66,15 +66,14 @@ TEST(NarrowLines, ExactAndTheReferenceAreThePlainSum) {
 
 TEST(NarrowLines, ALaserWithoutZHasAWhiteToCompareBy) {
   const Lamp deep_red{"deep red", 0.05, 0, {{720, 0.1, 1}}};
-  const Xyz white =
-      Reference(compile_text(scene_of(deep_red)), cie::Observer::cie_1931_2deg).white();
+  const Xyz white = Reference(compile_text(scene_of(deep_red)), cie::observer_1931()).white();
   EXPECT_EQ(white, (Xyz{1, 1, 1}));
 }
 
 TEST(NarrowLines, EveryMethodThatLearnsOfTheSceneGetsTheWhiteRight) {
   for (const Lamp& lamp : lamps()) {
     const RenderScene scene = compile_text(scene_of(lamp));
-    const DirectColors truth(scene, cie::Observer::cie_1931_2deg);
+    const DirectColors truth(scene, cie::observer_1931());
     for (const v1::Method& choice : {exact(), prefilter(), fitted(8)}) {
       v1::Plan plan;
       *plan.mutable_method() = choice;

@@ -35,10 +35,9 @@ const char* const scene_text = R"(
   object { name: "p" material: "mirror" sphere { center { x: 3 } radius: 1 } }
 )";
 
-v1::Plan plan_for(const v1::Method& method, v1::Observer observer) {
+v1::Plan plan_for(const v1::Method& method) {
   v1::Plan plan;
   *plan.mutable_method() = method;
-  plan.set_observer(observer);
   return plan;
 }
 
@@ -55,7 +54,7 @@ Gather example_gather() {
 }
 
 /// The same pixel by E[3.2-2] and E[2.2-3] in f64.
-Xyz expected(const Wavelengths& wavelengths, cie::Observer observer_choice) {
+Xyz expected(const Wavelengths& wavelengths, const Observer& observer_choice) {
   const RenderScene scene = test::compile_text(scene_text);
   const auto& nm = wavelengths.nm();
   const ObserverWeights observer = observer_weights(observer_choice, wavelengths);
@@ -94,14 +93,12 @@ TEST(Point, IsTheSumOverItsWavelengthsForEachSamplingAndObserver) {
   for (double nm : {400.0, 436.0, 546.0, 611.0, 700.0})
     methods[4].mutable_point()->add_wavelengths(nm);
 
-  const RenderScene scene = test::compile_text(scene_text);
+  RenderScene scene = test::compile_text(scene_text);
   for (const v1::Method& choice : methods)
-    for (auto observer : {v1::CIE_1931_2DEG, v1::CIE_1964_10DEG}) {
-      const auto xyz =
-          test::resolve(*make_method(plan_for(choice, observer), scene), example_gather());
-      const Xyz exact = expected(method_wavelengths(choice), observer == v1::CIE_1931_2DEG
-                                                                 ? cie::Observer::cie_1931_2deg
-                                                                 : cie::Observer::cie_1964_10deg);
+    for (const Observer& observer : {cie::observer_1931(), cie::observer_1964()}) {
+      scene.observer = observer;
+      const auto xyz = test::resolve(*make_method(plan_for(choice), scene), example_gather());
+      const Xyz exact = expected(method_wavelengths(choice), observer);
       for (std::size_t i = 0; i < 3; ++i)
         EXPECT_NEAR(xyz[i] / exact[i], 1, 2e-6) << choice.ShortDebugString();
     }
@@ -110,13 +107,11 @@ TEST(Point, IsTheSumOverItsWavelengthsForEachSamplingAndObserver) {
 TEST(Exact, IsTheIntegralOverAllThatTheSpectraSay) {
   v1::Method exact;
   exact.mutable_exact();
-  const RenderScene scene = test::compile_text(scene_text);
-  for (auto observer : {v1::CIE_1931_2DEG, v1::CIE_1964_10DEG}) {
-    const auto xyz =
-        test::resolve(*make_method(plan_for(exact, observer), scene), example_gather());
-    const Xyz integral =
-        expected(test::dense(), observer == v1::CIE_1931_2DEG ? cie::Observer::cie_1931_2deg
-                                                              : cie::Observer::cie_1964_10deg);
+  RenderScene scene = test::compile_text(scene_text);
+  for (const Observer& observer : {cie::observer_1931(), cie::observer_1964()}) {
+    scene.observer = observer;
+    const auto xyz = test::resolve(*make_method(plan_for(exact), scene), example_gather());
+    const Xyz integral = expected(test::dense(), observer);
     for (std::size_t i = 0; i < 3; ++i)
       EXPECT_NEAR(xyz[i] / integral[i], 1, 6e-6);  // over a mirror
   }
@@ -135,8 +130,8 @@ TEST(Exact, ALightOfOneSampleIsALine) {
     exact.mutable_exact();
     Gather gather(1);
     gather.weights(gather.surface(0, 0), 0) = {1, 0, 0};
-    const auto xyz = test::resolve(*make_method(plan_for(exact, v1::CIE_1931_2DEG), scene), gather);
-    const auto& functions = cie::matching_functions(cie::Observer::cie_1931_2deg);
+    const auto xyz = test::resolve(*make_method(plan_for(exact), scene), gather);
+    const auto& functions = cie::observer_1931().functions();
     std::array<double, 3> seen;
     for (std::size_t i = 0; i < 3; ++i)
       seen[i] = resample(functions[i], {546.1}, Outside::zero).values[0];
@@ -156,7 +151,7 @@ TEST(Exact, KeepsToItOverMirrorsWithFresnelTermsHoweverMany) {
     material { name: "gold" mirror: 1 fresnel { conductor { metal: "Au" } } }
     material { name: "lacquer" mirror: 1 specular { constant: 0.1 } fresnel { schlick {} } }
     object { name: "o" material: "paint" sphere { radius: 1 } })");
-  constexpr auto observer = cie::Observer::cie_1931_2deg;
+  const Observer& observer = cie::observer_1931();
   ASSERT_TRUE(carries_bands(scene, 1));
   const auto bands = make_exact_bands(ExactTables(scene, observer), scene, observer);
   const auto method = make_exact_signatures(ExactTables(scene, observer));
@@ -201,8 +196,7 @@ TEST(Point, AFlatSurfaceKeepsTheLightsColour) {
     method.mutable_point()->set_from(380);
     method.mutable_point()->set_to(780);
     method.mutable_point()->set_step(1);
-    const auto xyz =
-        test::resolve(*make_method(plan_for(method, v1::CIE_1931_2DEG), scene), gather);
+    const auto xyz = test::resolve(*make_method(plan_for(method), scene), gather);
     EXPECT_NEAR(xyz[1], 1, 1e-6) << name;
   }
 }
@@ -220,7 +214,7 @@ TEST(Rgb, IsRightUnderD65AndWrongUnderF11) {
         "}");
     Gather gather(1);
     gather.weights(gather.surface(0, 0), 0) = {1, 0, 0};
-    return test::resolve(*make_method(plan_for(method, v1::CIE_1931_2DEG), scene), gather);
+    return test::resolve(*make_method(plan_for(method), scene), gather);
   };
   v1::Method rgb, point;
   rgb.mutable_rgb();

@@ -89,7 +89,7 @@ class Verified : public testing::Test {
 class ErrorSink : public PixelSink {
  public:
   ErrorSink(const RenderScene& scene, const Film& film, std::uint32_t spp)
-      : reference_(scene, cie::Observer::cie_1931_2deg), film_(film), spp_(spp) {}
+      : reference_(scene, cie::observer_1931()), film_(film), spp_(spp) {}
   void take(std::uint32_t x, std::uint32_t y, const Gather& gather) override {
     const float* seen = film_.xyz + (std::size_t{y} * film_.width + x) * 3;
     const Xyz& white = reference_.white();
@@ -137,7 +137,7 @@ TEST_F(Verified, ExactIsAndOnePixelThatIsNotIsFound) {
 
 TEST(ReferenceMethodTest, ItsTablesAreItsSums) {
   const RenderScene scene = compile_text(mirrors_scene());
-  const ReferenceMethod method(scene, cie::Observer::cie_1964_10deg);
+  const ReferenceMethod method(scene, cie::observer_1964());
   const DirectTables tables = method.direct_tables();
   const FactorRows rows(scene);
   for (std::uint32_t material = 0; material < 2; ++material) {

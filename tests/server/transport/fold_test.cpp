@@ -52,7 +52,7 @@ std::vector<double> banded(const Gather& gather, std::size_t bands, Light light,
 /// By a sum over narrow cells.
 Xyz spectral(const RenderScene& scene, const Gather& gather) {
   static const Wavelengths wavelengths = dense();
-  const ObserverWeights observer = observer_weights(cie::Observer::cie_1931_2deg, wavelengths);
+  const ObserverWeights observer = observer_weights(cie::observer_1931(), wavelengths);
   return to_xyz(
       observer,
       banded(
@@ -93,8 +93,8 @@ class Matrices {
   Matrices(const RenderScene& scene, const v1::Linear& linear)
       : scene_(scene),
         wavelengths_(observer_wavelengths()),
-        observer_(observer_weights(cie::Observer::cie_1931_2deg, wavelengths_)),
-        basis_(scene_basis(linear, cie::Observer::cie_1931_2deg, scene)),
+        observer_(observer_weights(cie::observer_1931(), wavelengths_)),
+        basis_(scene_basis(linear, cie::observer_1931(), scene)),
         lights_(light_columns(scene, observer_, wavelengths_)) {}
 
   Xyz operator()(const Gather& gather) {
@@ -161,7 +161,7 @@ TEST(Fold, OfEveryMethodIsTheSumOverTheWays) {
 
 TEST(Fold, OfTheReferenceIsTheSumOverTheWays) {
   const RenderScene scene = transport_scene();
-  Reference reference(scene, cie::Observer::cie_1931_2deg);
+  Reference reference(scene, cie::observer_1931());
   std::mt19937 random(2);
   for (int i = 0; i < gathers; ++i) {
     const Gather gather = random_gather(scene, random);

@@ -7,6 +7,7 @@
 
 #include "client/cli/commands.h"
 #include "client/cli/commands/compare/compare_json.h"
+#include "client/cli/commands/spectra/spectra_input.h"
 #include "client/cli/report.h"
 #include "client/cli/shared_options.h"
 #include "client/tools/pictures/comparison.h"
@@ -30,16 +31,12 @@ struct CompareOptions {
   std::optional<double> scale;             ///< The difference that is drawn white.
   std::string white;                       ///< "0.95,1,1.09" or "D50"
   std::string under;                       ///< What lights reflectances: "F11"
-  std::string observer = "cie-1931-2deg";  ///< or "cie-1964-10deg"
+  std::string observer = "cie-1931-2deg";  ///< or "cie-1964-10deg", or a file
   std::string weights = "lines";           ///< or "astm": what reflectances are between bands
 };
 
 Metric metric_of(const std::string& word) {
   return word == "deuv" ? Metric::deuv : word == "deab" ? Metric::deab : Metric::de00;
-}
-
-cie::Observer chosen_observer(const std::string& word) {
-  return word == "cie-1964-10deg" ? cie::Observer::cie_1964_10deg : cie::Observer::cie_1931_2deg;
 }
 
 Result<const Spectrum*> find_illuminant(const std::string& option, const std::string& name) {
@@ -62,8 +59,7 @@ std::optional<Xyz> parse_xyz(std::string_view text) {
 }
 
 /// What --white says; else the light of --under; else sRGB's white.
-Result<White> find_white(const CompareOptions& options) {
-  const cie::Observer observer = chosen_observer(options.observer);
+Result<White> find_white(const CompareOptions& options, const Observer& observer) {
   if (options.white.find(',') != std::string::npos) {
     const std::optional<Xyz> xyz = parse_xyz(options.white);
     if (!xyz)
@@ -139,10 +135,10 @@ ExitCode judge(const Difference& difference, const CompareOptions& options, Repo
 }
 
 /// Both pictures; nothing when one can't be read, which is said.
-std::optional<client::PicturePair> read_both(const CompareOptions& options, Report& report) {
-  Viewing viewing{.observer = chosen_observer(options.observer),
-                  .under = nullptr,
-                  .weights = *find_table_weights(options.weights)};
+std::optional<client::PicturePair> read_both(const CompareOptions& options,
+                                             const Observer& observer, Report& report) {
+  Viewing viewing{
+      .observer = observer, .under = nullptr, .weights = *find_table_weights(options.weights)};
   if (!options.under.empty()) {
     const auto under = find_illuminant("--under", options.under);
     if (!under) {
@@ -168,12 +164,14 @@ std::optional<client::PicturePair> read_both(const CompareOptions& options, Repo
 }
 
 ExitCode compare_with(const CompareOptions& options, Report& report) {
-  const Result<White> white = find_white(options);
+  const auto observer = load_observer(options.observer, report);
+  if (!observer) return ExitCode::bad_input;
+  const Result<White> white = find_white(options, *observer);
   if (!white) {
     report.problem(white.error(), {});
     return ExitCode::bad_input;
   }
-  const auto pictures = read_both(options, report);
+  const auto pictures = read_both(options, *observer, report);
   if (!pictures) return ExitCode::bad_input;
   const auto& [a, b] = *pictures;
   const Metric metric = metric_of(options.metric);
@@ -186,7 +184,7 @@ ExitCode compare_with(const CompareOptions& options, Report& report) {
   Json& document = report.document();
   document["metric"] = options.metric;
   document["white"] = {{"name", white->name}, {"xyz", white->xyz}};
-  document["observer"] = options.observer;
+  document["observer"] = observer->name();
   for (const auto& [name, file, what] :
        {std::tuple("a", options.a, a.what), std::tuple("b", options.b, b.what)}) {
     document[name] = {{"file", file}, {"what", what}};
@@ -256,11 +254,11 @@ void declare(CompareOptions& values, Options& options) {
                      .target = &values.under,
                      .meaning = "the CIE illuminant that lights reflectances (T.)",
                      .type = "ILLUMINANT"});
-  options.push_back({.names = "--observer",
-                     .target = &values.observer,
-                     .meaning = "who sees spectra and illuminants",
-                     .shows_default = true,
-                     .choices = {"cie-1931-2deg", "cie-1964-10deg"}});
+  options.push_back(
+      {.names = "--observer",
+       .target = &values.observer,
+       .meaning = std::string("who sees spectra and illuminants: ") + observer_meaning,
+       .shows_default = true});
   declare_weights(values.weights, options);
   declare_json(values.json, options);
 }

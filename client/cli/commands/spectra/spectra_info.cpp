@@ -19,10 +19,6 @@ std::string digits(double value, const char* format = "%.6g") {
   return text;
 }
 
-const char* word_of(cie::Observer observer) {
-  return observer == cie::Observer::cie_1931_2deg ? "cie-1931-2deg" : "cie-1964-10deg";
-}
-
 // What programs read.
 
 void add_chromaticity(const std::optional<Chromaticity>& c, Json& json) {
@@ -36,7 +32,7 @@ void add_chromaticity(const std::optional<Chromaticity>& c, Json& json) {
 
 void add(const EmissionFacts& facts, Json& json) {
   for (const client::ObservedLight& one : facts.observed) {
-    Json& of_observer = json[word_of(one.observer)];
+    Json& of_observer = json[one.observer.name()];
     of_observer["luminance"] = one.luminance;
     add_chromaticity(one.chromaticity, of_observer);
   }
@@ -81,7 +77,7 @@ std::string text_of(const std::optional<Chromaticity>& c) {
 std::string text_of(const EmissionFacts& facts) {
   std::string text;
   for (const client::ObservedLight& one : facts.observed)
-    text += "\n  luminance    " + digits(one.luminance) + " (" + word_of(one.observer) + ")" +
+    text += "\n  luminance    " + digits(one.luminance) + " (" + one.observer.name() + ")" +
             text_of(one.chromaticity);
   if (facts.temperature)
     text += "\n  temperature  " + digits(facts.temperature->kelvin, "%.0f") + " K, Duv " +
@@ -121,11 +117,8 @@ std::string text_of(const LoadedSpectrum& one, const SpectrumFacts& facts,
 
 ExitCode run(const SpectraOptions& options) {
   Report report(options.json);
-  const auto observer = observer_of(options.observer);
-  if (!observer) {
-    report.error(observer.error().message);
-    return report.finish(ExitCode::bad_input);
-  }
+  const auto observer = load_observer(options.observer, report);
+  if (!observer) return report.finish(ExitCode::bad_input);
   const auto spectra = load_spectra(options, options.files, report);
   const auto light = load_light(options.under, "--under", report);
   if (!spectra || !light) return report.finish(ExitCode::bad_input);

@@ -2,6 +2,7 @@
 
 #include "client/cli/output/gnuplot.h"
 #include "client/cli/overrides.h"
+#include "client/tools/scene/observers.h"
 #include "common/scene/settings.h"
 
 namespace metamer::cli {
@@ -70,7 +71,7 @@ void declare_spectra(SpectraOptions& values, Options& options, bool single) {
 void declare_observer(SpectraOptions& values, Options& options) {
   options.push_back({.names = "--observer",
                      .target = &values.observer,
-                     .meaning = "cie-1931-2deg or cie-1964-10deg",
+                     .meaning = observer_meaning,
                      .shows_default = true});
 }
 
@@ -121,11 +122,14 @@ std::optional<Spectrum> load_light(const std::string& word, const std::string& o
   return std::nullopt;
 }
 
-Result<cie::Observer> observer_of(const std::string& word) {
-  Overrides words;
-  words.observer = word;
-  return settings_of(words).map(
-      [](const v1::Settings& settings) { return to_observer(settings.observer()); });
+std::optional<Observer> load_observer(const std::string& word, Report& report) {
+  auto observer = client::load_observer(word);
+  if (!observer && observer.error().choice)
+    observer.error().problem.message.insert(0, "--observer: ");
+  if (observer && observer->is_cut())
+    report.note(
+        {.field = {}, .file = word, .message = "what it sees outside 360 to 830 nm is left out"});
+  return loaded_or_told(std::move(observer), report);
 }
 
 Result<Wavelengths> wavelengths_of(const std::optional<std::string>& samples,

@@ -19,7 +19,7 @@ struct SpectraOptions {
   std::vector<std::string> files;
   std::optional<std::string> entry;        ///< Of files with several spectra: this one.
   std::optional<std::string> kind;         ///< "emission", "reflectance"
-  std::string observer = "cie-1931-2deg";  ///< Or "cie-1964-10deg".
+  std::string observer = "cie-1931-2deg";  ///< Or "cie-1964-10deg", or a file.
   std::string under = "D65";               ///< The light of reflectances.
   std::string weights = "lines";           ///< What these are between samples; or "astm".
 };
@@ -45,8 +45,10 @@ std::optional<client::LoadedSpectrum> load_one(const SpectraOptions& options,
 std::optional<Spectrum> load_light(const std::string& word, const std::string& option,
                                    Report& report);
 
-// By the words that render has; errors name the option.
-Result<cie::Observer> observer_of(const std::string& word);
+/// An observer: a word that render has, or a file.
+std::optional<Observer> load_observer(const std::string& word, Report& report);
+
+/// By the words that render has; errors name the option.
 Result<Wavelengths> wavelengths_of(const std::optional<std::string>& samples,
                                    const std::optional<std::string>& wavelengths);
 

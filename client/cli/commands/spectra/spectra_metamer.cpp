@@ -29,11 +29,8 @@ void add_differences(const std::vector<Mismatch>& all, Report& report) {
 
 ExitCode run(const MetamerOptions& options) {
   Report report(options.input.json);
-  const auto observer = observer_of(options.input.observer);
-  if (!observer) {
-    report.error(observer.error().message);
-    return report.finish(ExitCode::bad_input);
-  }
+  const auto observer = load_observer(options.input.observer, report);
+  if (!observer) return report.finish(ExitCode::bad_input);
   if (!check_spectra_output(options.output, report)) return report.finish(ExitCode::bad_input);
 
   const std::string other =

@@ -18,8 +18,8 @@ struct NormalizeOptions {
 
 ExitCode run(const NormalizeOptions& options) {
   Report report(options.input.json);
-  const auto observer = observer_of(options.input.observer);
-  if (!observer) return refuse(observer.error().message, report);
+  const auto observer = load_observer(options.input.observer, report);
+  if (!observer) return report.finish(ExitCode::bad_input);
   if (!(options.luminance > 0) || !std::isfinite(options.luminance))
     return refuse("--luminance must be above 0", report);
   if (!check_spectra_output(options.output, report)) return report.finish(ExitCode::bad_input);

@@ -44,9 +44,8 @@ ExitCode run(const SpectraRgbOptions& options) {
   Report report(options.input.json);
   v1::Development development;
   const auto words = apply(options.development, development);
-  const auto observer = observer_of(options.input.observer);
+  const auto observer = load_observer(options.input.observer, report);
   if (!words) report.error(words.error().message);
-  if (!observer) report.error(observer.error().message);
   const bool luminous = options.luminance > 0 && std::isfinite(options.luminance);
   if (!luminous) report.error("--luminance must be above 0");
   if (!words || !observer || !luminous) return report.finish(ExitCode::bad_input);

@@ -34,15 +34,14 @@ TEST(Comparison, WhitesAreThePublishedOnes) {
   // ASTM E308-01, table 5. D50's table has three digits, from 380 to 780 nm.
   struct Published {
     const char* light;
-    cie::Observer observer;
+    Observer observer;
     double x, z, tolerance;
   };
-  for (const Published& one :
-       {Published{"A", cie::Observer::cie_1931_2deg, 1.09850, 0.35585, 5e-5},
-        Published{"D50", cie::Observer::cie_1931_2deg, 0.96422, 0.82521, 5e-4},
-        Published{"D65", cie::Observer::cie_1931_2deg, 0.95047, 1.08883, 5e-5},
-        Published{"A", cie::Observer::cie_1964_10deg, 1.11144, 0.35200, 5e-5},
-        Published{"D65", cie::Observer::cie_1964_10deg, 0.94811, 1.07304, 5e-5}}) {
+  for (const Published& one : {Published{"A", cie::observer_1931(), 1.09850, 0.35585, 5e-5},
+                               Published{"D50", cie::observer_1931(), 0.96422, 0.82521, 5e-4},
+                               Published{"D65", cie::observer_1931(), 0.95047, 1.08883, 5e-5},
+                               Published{"A", cie::observer_1964(), 1.11144, 0.35200, 5e-5},
+                               Published{"D65", cie::observer_1964(), 0.94811, 1.07304, 5e-5}}) {
     const Xyz white = white_of(*cie::illuminant(one.light), one.observer);
     EXPECT_NEAR(white[0], one.x, one.tolerance) << one.light;
     EXPECT_NEAR(white[1], 1, 1e-14) << one.light;
@@ -62,7 +61,7 @@ TEST(Comparison, PairsOfSharmaWuAndDalalThroughFiles) {
       {{50, 0, 0}, {50, -1, 2}, 2.3669},
       {{50, 2.5, 0}, {73, 25, -18}, 27.1492},
       {{2.0776, 0.0795, -1.1350}, {0.9033, -0.0636, -0.5514}, 0.9082}};
-  const Xyz white = white_of(*cie::illuminant("D65"), cie::Observer::cie_1931_2deg);
+  const Xyz white = white_of(*cie::illuminant("D65"), cie::observer_1931());
   std::vector<Xyz> one, other;
   for (const Pair& pair : published) {
     one.push_back(xyz_of(pair.one, white));
@@ -106,7 +105,7 @@ TEST(Comparison, AReflectanceNeedsALight) {
                            .polarised = false};
   ASSERT_TRUE(write_spectral_exr(grey, row_of({{0, 0, 0}}), file, {}));
   EXPECT_FALSE(read_pair({file, file}, {}));
-  const Viewing viewing{.observer = cie::Observer::cie_1931_2deg, .under = cie::illuminant("F2")};
+  const Viewing viewing{.observer = cie::observer_1931(), .under = cie::illuminant("F2")};
   const auto lit = read_pair({file, file}, viewing);
   ASSERT_TRUE(lit);
   EXPECT_TRUE((*lit)[0].lit);

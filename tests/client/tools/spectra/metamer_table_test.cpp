@@ -21,7 +21,7 @@ const Mismatch& under(const MetamerTable& table, const std::string& light) {
 
 TEST(MetamerTable, MatchesUnderOneLightAndDiffersUnderTheOther) {
   const auto table = metamer_table(*cie::test_color("TCS05"), light_named("D65"),
-                                   light_named("F11"), cie::Observer::cie_1931_2deg);
+                                   light_named("F11"), cie::observer_1931());
   ASSERT_TRUE(table);
   for (const double value : table->reflectance.values) {
     EXPECT_GE(value, 0);
@@ -36,8 +36,8 @@ TEST(MetamerTable, MatchesUnderOneLightAndDiffersUnderTheOther) {
 
 TEST(MetamerTable, HasTheLightsThatNobodyElseNames) {
   const NamedSpectrum lamp{.name = "lamp.txt", .spectrum = {{380, 560, 780}, {1, 3, 2}}};
-  const auto table = metamer_table(*cie::test_color("TCS03"), lamp, light_named("A"),
-                                   cie::Observer::cie_1964_10deg);
+  const auto table =
+      metamer_table(*cie::test_color("TCS03"), lamp, light_named("A"), cie::observer_1964());
   ASSERT_TRUE(table);
   EXPECT_EQ(table->differences.size(), cie::illuminant_names().size() + 1);
   EXPECT_LT(under(*table, "lamp.txt").deab, 1e-6);
@@ -46,13 +46,13 @@ TEST(MetamerTable, HasTheLightsThatNobodyElseNames) {
 TEST(MetamerTable, RefusesWhatHasNoMetamer) {
   for (const double reflectance : {0., 1.})
     EXPECT_FALSE(metamer_table({{500}, {reflectance}}, light_named("D65"), light_named("A"),
-                               cie::Observer::cie_1931_2deg));
-  EXPECT_FALSE(metamer_table({{500}, {0.5}}, light_named("D65"), light_named("D65"),
-                             cie::Observer::cie_1931_2deg))
+                               cie::observer_1931()));
+  EXPECT_FALSE(
+      metamer_table({{500}, {0.5}}, light_named("D65"), light_named("D65"), cie::observer_1931()))
       << "two lights of one shape";
   const NamedSpectrum red{.name = "red.txt", .spectrum = {{700}, {1}}};
-  EXPECT_FALSE(metamer_table(*cie::test_color("TCS03"), light_named("D65"), red,
-                             cie::Observer::cie_1931_2deg))
+  EXPECT_FALSE(
+      metamer_table(*cie::test_color("TCS03"), light_named("D65"), red, cie::observer_1931()))
       << "a white without Z";
 }
 

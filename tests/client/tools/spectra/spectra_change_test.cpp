@@ -59,7 +59,7 @@ TEST(Resampled, NothingIsSaidOfADarkOne) {
 }
 
 TEST(Normalized, HasTheLuminance) {
-  for (const auto observer : {cie::Observer::cie_1931_2deg, cie::Observer::cie_1964_10deg})
+  for (const auto& observer : {cie::observer_1931(), cie::observer_1964()})
     for (const double luminance : {1e-30, 0.25, 1e30}) {
       const auto made = normalized({"", "", true, *cie::illuminant("F11")}, observer, luminance);
       ASSERT_TRUE(made);
@@ -72,7 +72,7 @@ TEST(Normalized, HasTheLuminance) {
 
 TEST(Normalized, RefusesWhatHasNoLuminance) {
   const auto refusal = [](const LoadedSpectrum& one, double luminance) {
-    const auto made = normalized(one, cie::Observer::cie_1931_2deg, luminance);
+    const auto made = normalized(one, cie::observer_1931(), luminance);
     return made ? "" : made.error().message;
   };
   EXPECT_EQ(refusal({"dark", "", true, {{400, 700}, {0, 0}}}, 1),

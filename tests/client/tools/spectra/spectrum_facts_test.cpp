@@ -11,12 +11,12 @@ namespace {
 EmissionFacts light_facts(const Spectrum& light) {
   const LoadedSpectrum one{"", "", true, light};
   return std::get<EmissionFacts>(
-      spectrum_facts(one, *cie::illuminant("D65"), cie::Observer::cie_1931_2deg)->look);
+      spectrum_facts(one, *cie::illuminant("D65"), cie::observer_1931())->look);
 }
 
 ReflectanceFacts paint_facts(const Spectrum& paint, const Spectrum& light) {
   const LoadedSpectrum one{"", "", false, paint};
-  return std::get<ReflectanceFacts>(spectrum_facts(one, light, cie::Observer::cie_1931_2deg)->look);
+  return std::get<ReflectanceFacts>(spectrum_facts(one, light, cie::observer_1931())->look);
 }
 
 TEST(SpectrumFacts, IlluminantsAreThePublishedOnes) {
@@ -96,8 +96,7 @@ TEST(SpectrumFacts, BlackHasNoChromaticityAndADarkLightNoWhite) {
 
 TEST(SpectrumFacts, TheRangeIsThatOfTheData) {
   const LoadedSpectrum one{"", "", true, {{380, 500.5, 9000}, {3, -1, 7}}};
-  const SpectrumFacts facts =
-      *spectrum_facts(one, *cie::illuminant("A"), cie::Observer::cie_1964_10deg);
+  const SpectrumFacts facts = *spectrum_facts(one, *cie::illuminant("A"), cie::observer_1964());
   EXPECT_EQ(facts.from, 380);
   EXPECT_EQ(facts.to, 9000);
   EXPECT_EQ(facts.samples, 3u);

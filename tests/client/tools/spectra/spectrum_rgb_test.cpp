@@ -17,7 +17,7 @@ v1::Development development(v1::RgbSpace space, v1::Adaptation adaptation, bool 
 SpectrumRgb rgb_of(const Spectrum& spectrum, bool emission, const char* light,
                    const v1::Development& how, double luminance = 1) {
   const auto rgb = spectrum_rgb({"", "", emission, spectrum}, *cie::illuminant(light),
-                                cie::Observer::cie_1931_2deg, luminance, how);
+                                cie::observer_1931(), luminance, how);
   EXPECT_TRUE(rgb);
   return *rgb;
 }
@@ -59,7 +59,7 @@ TEST(SpectrumRgb, ASpectralColourLiesOutsideEverySpaceOfRealPrimaries) {
 
 TEST(SpectrumRgb, UnderADarkLightAllIs0) {
   const LoadedSpectrum paint{"", "", false, {{500}, {1}}};
-  const auto rgb = spectrum_rgb(paint, {{400, 700}, {0, 0}}, cie::Observer::cie_1964_10deg, 1,
+  const auto rgb = spectrum_rgb(paint, {{400, 700}, {0, 0}}, cie::observer_1964(), 1,
                                 development(v1::SRGB, v1::BRADFORD));
   ASSERT_TRUE(rgb);
   EXPECT_TRUE(rgb->dark);
@@ -74,7 +74,7 @@ TEST(SpectrumRgb, PrimariesOnALineMakeNoSpace) {
                     primaries.mutable_white()})
     one->Resize(2, 0.3);
   const LoadedSpectrum light{"", "", true, *cie::illuminant("A")};
-  EXPECT_FALSE(spectrum_rgb(light, light.spectrum, cie::Observer::cie_1931_2deg, 1, how));
+  EXPECT_FALSE(spectrum_rgb(light, light.spectrum, cie::observer_1931(), 1, how));
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ void expect_chromaticity(const std::string& name, double x, double y) {
   const auto light =
       interpret(file, file.spectra.at(0).spectrum, {.as = Quantity::emission}, Use::any);
   ASSERT_TRUE(light) << name;
-  const Xyz xyz = emission_xyz(light->spectrum, cie::Observer::cie_1931_2deg);
+  const Xyz xyz = emission_xyz(light->spectrum, cie::observer_1931());
   const double sum = xyz[0] + xyz[1] + xyz[2];
   EXPECT_NEAR(xyz[0] / sum, x, 1e-4) << name;
   EXPECT_NEAR(xyz[1] / sum, y, 1e-4) << name;
@@ -92,7 +92,7 @@ TEST(Exports, OfAPaperWithABrightenerStayAReflectance) {
   EXPECT_EQ(paper->quantity, Quantity::reflectance);
   const Spectrum& reflectance = paper->spectrum;
   const ObserverWeights weights =
-      under_light(cie::Observer::cie_1931_2deg, *cie::illuminant("D65"), reflectance.nm);
+      under_light(cie::observer_1931(), *cie::illuminant("D65"), reflectance.nm);
   const Xyz xyz = to_xyz(weights, reflectance.values);
   EXPECT_NEAR(xyz[0], 0.8671, 1e-3);
   EXPECT_NEAR(xyz[1], 0.9017, 1e-3);
