@@ -1,7 +1,5 @@
 #include "client/relight/scene_sources.h"
 
-#include "common/spectral/cells.h"
-
 namespace metamer::client {
 
 Spectrum to_spectrum(const v1::SampledSpectrum& from) {
@@ -18,16 +16,6 @@ SceneSources::SceneSources(const v1::SceneFactors& scene) {
       material.constants = &constants_.emplace_back(
           OpticalConstants{to_spectrum(from.constants().n()), to_spectrum(from.constants().k())});
   }
-}
-
-std::vector<double> SceneSources::edges() const {
-  std::vector<const Spectrum*> spectra;
-  for (const Spectrum& spectrum : spectra_) spectra.push_back(&spectrum);
-  for (const OpticalConstants& constants : constants_) {
-    spectra.push_back(&constants.n);
-    spectra.push_back(&constants.k);
-  }
-  return cell_edges(spectra);
 }
 
 }  // namespace metamer::client

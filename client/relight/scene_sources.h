@@ -19,9 +19,6 @@ class SceneSources {
   /// Points into this.
   const FactorSources& factors() const { return factors_; }
 
-  /// Between which a product of the factors is a line (cell_edges).
-  std::vector<double> edges() const;
-
  private:
   std::list<Spectrum> spectra_;
   std::list<OpticalConstants> constants_;

@@ -25,6 +25,17 @@ inline void add_lobes(std::size_t n, Row carrier, ConstRow light, ConstRow diffu
     carrier[i] += light[i] * (w.diffuse * diffuse[i] + (w.specular * specular[i] + w.white));
 }
 
+/// The three lobes of a surface, of which each has a sensor by band (ExactTables).
+inline void add_sensors(std::size_t n, Row carrier, ConstRow diffuse, ConstRow specular,
+                        ConstRow white, const LobeWeights& w) {
+  if (w.specular == 0 && w.white == 0) {
+    for (std::size_t i = 0; i < n; ++i) carrier[i] += w.diffuse * diffuse[i];
+    return;
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    carrier[i] += w.diffuse * diffuse[i] + (w.specular * specular[i] + w.white * white[i]);
+}
+
 /// Light that goes over a factor: one row of `values`, or a weighted sum of two.
 inline void add_over(std::size_t n, Row carrier, ConstRow incoming, const BandTable& values,
                      const FactorRows::Mix& mix) {

@@ -1,5 +1,7 @@
 #include "server/methods/banded.h"
 
+#include <algorithm>
+
 #include "common/transport/fold.h"
 #include "server/methods/band_loops.h"
 #include "server/methods/costs.h"
@@ -8,68 +10,143 @@ namespace metamer {
 
 namespace {
 
-/// The bands of a pixel's chains.
+/// What a thread knows of a pixel's chains, and X Y Z of the rows that it has met.
 struct Carriers : Method::Scratch {
-  std::vector<float> values;
+  std::vector<float> values;               ///< The bands, by chain.
+  std::vector<char> is_filled;             ///< By chain: some light is in its bands.
+  std::vector<float> grey;                 ///< By chain: what it is in every band; −1: not alike.
+  std::vector<std::vector<float>> colors;  ///< By row: three a light; empty: not met.
 };
+
+bool is_constant(const BandTable& table, std::size_t row) {
+  const float* values = table.row(row);
+  return std::all_of(values, values + table.bands(), [=](float v) { return v == values[0]; });
+}
 
 }  // namespace
 
 std::unique_ptr<Method::Scratch> BandedMethod::make_scratch() const {
-  return std::make_unique<Carriers>();
+  auto carriers = std::make_unique<Carriers>();
+  carriers->colors.resize(tables_.rows.rows());
+  return carriers;
 }
 
 BandedMethod::BandedMethod(FactorRows rows, Tables tables, double learned)
-    : rows_(std::move(rows)), tables_(std::move(tables)), learned_(learned) {}
+    : rows_(std::move(rows)), tables_(std::move(tables)), learned_(learned) {
+  for (std::size_t row = 0; row < tables_.rows.rows(); ++row)
+    is_grey_.push_back(is_constant(tables_.rows, row));
+}
 
 double BandedMethod::preparation_cost() const {
   return learned_ + costs::table(tables_.rows.rows(), tables_.rows.bands());
 }
 
 double BandedMethod::resolve_cost(const Gather& gather) const {
-  return costs::terms(gather) * costs::loop(tables_.xyz.stride()) +
-         costs::chains(gather) * 2 * costs::loop(tables_.xyz.stride()) +
-         3 * costs::loop(tables_.xyz.stride());
+  // What comes over grey chains is looked up.
+  const double loop = costs::loop(tables_.xyz.stride()),
+               lights = static_cast<double>(tables_.lights.rows());
+  std::vector<bool> is_grey(gather.chains().size(), true);
+  double loops = 0, found = 0;
+  for (std::size_t i = 1; i < is_grey.size(); ++i) {
+    const FactorRows::Mix mix = rows_.mix(gather.chains()[i].factor);
+    is_grey[i] = is_grey[gather.chains()[i].parent];
+    for (std::size_t j = 0; j < mix.count; ++j) is_grey[i] = is_grey[i] && is_grey_[mix.row[j]];
+    if (!is_grey[i]) loops += 2;
+  }
+  if (loops > 0) loops += 3;
+  for (const Gather::Surface& surface : gather.surfaces())
+    (is_grey[surface.chain] ? found : loops) += lights;
+  for (const Gather::Term& term : gather.terms()) (is_grey[term.chain] ? found : loops) += 1;
+  return 3 * found + loops * loop;
 }
 
-/// Reflects each light at the end of a chain, and carries it back to the eye.
+/// Reflects each light at the end of a chain, and carries it back to the eye. Where the chain is
+/// the same in every band, as of light straight from a surface, what comes of it is looked up.
 struct BandedMethod::Fold : FoldHooks {
-  const FactorRows& rows;
-  const Tables& tables;
-  std::size_t n;
-  float* carriers;
+  const BandedMethod& method;
+  Carriers& carriers;
+  std::array<float, 3> xyz{};
 
-  float* carrier(std::uint32_t chain) const { return carriers + chain * n; }
+  std::size_t bands() const { return method.tables_.xyz.stride(); }
+
+  float* carrier(std::uint32_t chain) {
+    float* values = carriers.values.data() + chain * bands();
+    if (!carriers.is_filled[chain]) std::fill_n(values, bands(), 0.0f);
+    carriers.is_filled[chain] = true;
+    return values;
+  }
+
+  const std::vector<float>& color(std::uint32_t row) {
+    std::vector<float>& own = carriers.colors[row];
+    if (own.empty()) own = method.color_of(row);
+    return own;
+  }
+
+  void enter(std::uint32_t chain, std::uint32_t parent, const Factor& factor) {
+    if (carriers.grey[parent] < 0) return;
+    const FactorRows::Mix mix = method.rows_.mix(factor);
+    float grey = 0;
+    for (std::size_t j = 0; j < mix.count; ++j) {
+      if (!method.is_grey_[mix.row[j]]) return;
+      grey += mix.weight[j] * method.tables_.rows.row(mix.row[j])[0];
+    }
+    carriers.grey[chain] = carriers.grey[parent] * grey;
+  }
 
   void lobes(std::uint32_t chain, std::uint32_t material, std::span<const LobeWeights> weights) {
-    const float* diffuse = tables.rows.row(rows.diffuse(material));
-    const float* specular = tables.rows.row(rows.specular(material));
-    for (std::size_t light = 0; light < weights.size(); ++light) {
-      const LobeWeights& w = weights[light];
-      band_loops::add_lobes(n, carrier(chain), tables.lights.row(light), diffuse, specular, w);
-    }
+    if (carriers.grey[chain] >= 0) return lobes_as_terms(*this, chain, material, weights);
+    const Tables& tables = method.tables_;
+    const float* diffuse = tables.rows.row(method.rows_.diffuse(material));
+    const float* specular = tables.rows.row(method.rows_.specular(material));
+    float* to = carrier(chain);
+    for (std::size_t light = 0; light < weights.size(); ++light)
+      band_loops::add_lobes(bands(), to, tables.lights.row(light), diffuse, specular,
+                            weights[light]);
   }
 
   void term(std::uint32_t chain, std::uint32_t light, const FactorNode& factor, float weight) {
-    band_loops::add_term(n, carrier(chain), tables.lights.row(light),
-                         tables.rows.row(rows.row(factor)), weight);
+    const std::uint32_t row = method.rows_.row(factor);
+    if (carriers.grey[chain] < 0)
+      return band_loops::add_term(bands(), carrier(chain), method.tables_.lights.row(light),
+                                  method.tables_.rows.row(row), weight);
+    const float* seen = &color(row)[3 * light];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      xyz[axis] += carriers.grey[chain] * weight * seen[axis];
   }
 
   void leave(std::uint32_t chain, std::uint32_t parent, const Factor& factor) {
-    band_loops::add_over(n, carrier(parent), carrier(chain), tables.rows, rows.mix(factor));
+    if (!carriers.is_filled[chain]) return;
+    band_loops::add_over(bands(), carrier(parent), carrier(chain), method.tables_.rows,
+                         method.rows_.mix(factor));
   }
 };
 
+std::vector<float> BandedMethod::color_of(std::uint32_t row) const {
+  std::vector<float> color;
+  for (std::size_t light = 0; light < tables_.lights.rows(); ++light)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      color.push_back(band_loops::dot(tables_.xyz.stride(), tables_.lights.row(light),
+                                      tables_.rows.row(row), tables_.xyz.row(axis)));
+  return color;
+}
+
 std::array<float, 3> BandedMethod::resolve(const Gather& gather, float scale,
                                            Scratch& scratch) const {
-  const std::size_t n = tables_.xyz.stride();
-  std::vector<float>& carriers = static_cast<Carriers&>(scratch).values;
-  carriers.assign(gather.chains().size() * n, 0.0f);
-  fold(gather, Fold{{}, rows_, tables_, n, carriers.data()});
-  const float* seen = carriers.data();
-  return {scale * band_loops::dot(n, seen, tables_.xyz.row(0)),
-          scale * band_loops::dot(n, seen, tables_.xyz.row(1)),
-          scale * band_loops::dot(n, seen, tables_.xyz.row(2))};
+  const std::size_t chains = gather.chains().size(), n = tables_.xyz.stride();
+  auto& carriers = static_cast<Carriers&>(scratch);
+  if (carriers.values.size() < chains * n) carriers.values.resize(chains * n);
+  carriers.is_filled.assign(chains, false);
+  carriers.grey.assign(chains, -1.0f);
+  carriers.grey[0] = 1;
+  Fold fold_hooks{{}, *this, carriers};
+  fold(gather, fold_hooks);
+  std::array<float, 3> xyz = fold_hooks.xyz;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (carriers.is_filled[0])
+      xyz[axis] += band_loops::dot(n, carriers.values.data(), tables_.xyz.row(axis));
+    xyz[axis] *= scale;
+  }
+  return xyz;
 }
 
 DirectTables BandedMethod::direct_tables() const {

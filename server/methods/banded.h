@@ -7,7 +7,9 @@
 namespace metamer {
 
 /// Every method whose carrier is a list of independent values, one a band: reflection multiplies
-/// band by band, and XYZ is three dot products. `point` has a band a wavelength, `rgb` has three.
+/// band by band, and XYZ is three dot products; where all that light meets on its way is grey, they
+/// are those of its surface under the light, which a thread remembers. `point` has a band a
+/// wavelength, `rgb` has three.
 class BandedMethod : public Method {
  public:
   struct Tables {
@@ -27,9 +29,13 @@ class BandedMethod : public Method {
  private:
   struct Fold;
 
+  /// X Y Z of a row by itself under each light.
+  std::vector<float> color_of(std::uint32_t row) const;
+
   FactorRows rows_;
   Tables tables_;
   double learned_;
+  std::vector<bool> is_grey_;  ///< By row: the same in every band.
 };
 
 }  // namespace metamer

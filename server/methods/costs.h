@@ -17,6 +17,12 @@ inline double table(std::size_t rows, std::size_t values) {
   return 10 * static_cast<double>(rows) * static_cast<double>(values);
 }
 
+/// The bands of chains of so many curves, and lights of so many spectra in them (ChainBands). By
+/// callgrind: 13 million instructions a curve, three million a spectrum, of which 4 take 1 ns.
+inline double band_choice(std::size_t curves, std::size_t emissions) {
+  return 3.2e6 * static_cast<double>(curves) + 0.7e6 * static_cast<double>(emissions);
+}
+
 inline double terms(const Gather& gather) {
   std::size_t count = gather.terms().size();
   for (std::size_t s = 0; s < gather.surfaces().size(); ++s) count += gather.weights(s).size();

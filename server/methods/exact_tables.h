@@ -1,39 +1,70 @@
 #pragma once
 
-#include "common/color/xyz.h"
-#include "server/methods/banded.h"
+#include <optional>
+
+#include "common/transport/scene_bands.h"
+#include "server/methods/band_table.h"
+#include "server/methods/method.h"
+#include "server/transport/factor_rows.h"
 
 namespace metamer {
 
-/// What both ways of `exact` know of a scene. Rows are values at every whole nanometre from 360 to
-/// 830 and wherever a surface's spectrum has a sample of its own; between these a product of rows
-/// is a straight line.
+/// What `exact` knows of a scene.
 struct ExactTables {
-  ExactTables(const RenderScene& scene, const Observer& observer);
+  /// Paths meet up to `depth` mirrors.
+  ExactTables(const RenderScene& scene, const Observer& observer, std::uint32_t depth);
 
-  /// X Y Z of `product` times a row, three for each light.
-  void measure(const float* product, std::uint32_t row, float* xyz) const;
+  /// What is seen of light of each emission that comes from a row, by band: a row an emission, of
+  /// luminance 1.
+  BandTable sensors(std::uint32_t row) const;
 
-  /// The same of a row by itself.
-  const float* direct_color(std::uint32_t row) const { return &direct[row * lights * 3]; }
+  /// X Y Z of a row by itself, three for each light.
+  const float* direct_color(std::uint32_t row) const { return &direct[row * lights.size() * 3]; }
   DirectTables direct_tables() const;
   double preparation_cost() const;
 
+  struct Light {
+    std::uint32_t emission;
+    float luminance;
+  };
+
+  SceneBands bands;
   FactorRows rows;
-  std::vector<double> nm;  ///< Of the bands.
-  BandTable values;        ///< A row for each of FactorRows.
-  BandTable sensors;       ///< Three a light: what the observer sees of it, by band (under_light).
-  std::size_t lights;
+  BandTable white;     ///< The sensors of white.
+  BandTable values;    ///< A row for each of FactorRows, by band.
+  BandTable at_edges;  ///< The same by edge (ChainBands) of rows that are lines between these.
+  std::vector<bool> is_linear;  ///< By row.
+  std::vector<Light> lights;
   std::vector<float> direct;  ///< X Y Z by row and light.
 };
 
-/// Names each product of rows, integrates each to X Y Z when it is first met, and looks it up.
-std::unique_ptr<Method> make_exact_signatures(ExactTables tables);
+/// The sensors of the rows that a thread has met.
+class MetSensors {
+ public:
+  explicit MetSensors(const ExactTables& tables) : tables_(tables), of_row_(tables.rows.size()) {}
 
-/// Light that comes straight from a surface is looked up; what comes by mirrors is carried as one
-/// value a band, and becomes X Y Z once a pixel. For scenes whose mirrors make more products than
-/// can be looked up.
-std::unique_ptr<Method> make_exact_bands(ExactTables tables, const RenderScene& scene,
-                                         const Observer& observer);
+  const BandTable& operator()(std::uint32_t row) {
+    std::optional<BandTable>& own = of_row_[row];
+    if (!own) {
+      own = tables_.sensors(row);
+      size_ += own->rows() * own->stride();
+    }
+    return *own;
+  }
+
+  /// Forgets everything before it grows too large; only between pixels.
+  void bound() {
+    if (size_ < most) return;
+    for (std::optional<BandTable>& own : of_row_) own.reset();
+    size_ = 0;
+  }
+
+ private:
+  static constexpr std::size_t most = std::size_t{1} << 24;  ///< f32, 64 MiB.
+
+  const ExactTables& tables_;
+  std::vector<std::optional<BandTable>> of_row_;
+  std::size_t size_ = 0;
+};
 
 }  // namespace metamer

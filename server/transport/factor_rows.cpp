@@ -1,6 +1,7 @@
 #include "server/transport/factor_rows.h"
 
 #include <algorithm>
+#include <concepts>
 #include <map>
 #include <typeindex>
 
@@ -55,6 +56,19 @@ void FactorRows::for_each(
     with_kind(own.kind, [&]<class Kind>(Kind) {
       const FactorTable table = Kind::Table::make(*Kind::source(sources, own.index), nm);
       for (std::uint32_t node = 0; node < Kind::Table::nodes; ++node) take(row++, table(node));
+    });
+}
+
+void FactorRows::for_each_spectrum(
+    const RenderScene& scene,
+    const std::function<void(std::uint32_t row, const Spectrum& spectrum)>& take) const {
+  const FactorSources sources = factor_sources(scene);
+  std::uint32_t row = 0;
+  for (const Table& own : tables_)
+    with_kind(own.kind, [&]<class Kind>(Kind) {
+      if constexpr (std::same_as<typename Kind::Table, SpectrumTable>)
+        take(row, *Kind::source(sources, own.index));
+      row += Kind::Table::nodes;
     });
 }
 

@@ -48,6 +48,11 @@ class FactorRows {
       const RenderScene& scene, const std::vector<double>& nm,
       const std::function<void(std::uint32_t row, std::vector<double> values)>& take) const;
 
+  /// Gives the spectrum of each row that is one.
+  void for_each_spectrum(
+      const RenderScene& scene,
+      const std::function<void(std::uint32_t row, const Spectrum& spectrum)>& take) const;
+
  private:
   /// Rows that follow each other: the nodes of one table.
   struct Table {

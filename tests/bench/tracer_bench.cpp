@@ -87,7 +87,7 @@ void raw_embree(benchmark::State& state, Bench& bench) {
 /// What is measured, by name: "point/7", "linear/4", "exact".
 std::vector<std::pair<std::string, v1::Method>> cases() {
   std::vector<std::pair<std::string, v1::Method>> all;
-  for (unsigned samples : {7u, 16u, 61u, 301u})
+  for (unsigned samples : {7u, 16u, 61u, 301u, 4001u})
     all.emplace_back("point/" + std::to_string(samples), bench::point_method(samples));
   v1::Method fitted;
   fitted.mutable_point()->set_fitted(8);

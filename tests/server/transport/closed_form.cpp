@@ -23,7 +23,9 @@ std::uint32_t any_index(const FactorSources& sources, std::mt19937& random) {
 float unit(std::mt19937& random) { return std::uniform_real_distribution<float>(0, 1)(random); }
 
 Factor any_factor(const FactorSources& sources, std::mt19937& random) {
-  const FactorKind kind = factor_entries[random() % factor_kind_count].kind;
+  // What a mirror may be: never a diffuse spectrum.
+  FactorKind kind = FactorKind::diffuse;
+  while (kind == FactorKind::diffuse) kind = factor_entries[random() % factor_kind_count].kind;
   return with_kind(kind, [&]<class Kind>(Kind) -> Factor {
     // The ends of the range, too.
     const float at = random() % 8 == 0 ? static_cast<float>(random() % 2) : unit(random);
@@ -50,7 +52,7 @@ RenderScene transport_scene() {
     light { name: "b" position { y: 1 } spectrum { standard: "A" } luminance: 0.3 }
     light { name: "c" position { y: 1 } spectrum { standard: "D65" } luminance: 0.1 }
     material {
-      name: "paint" diffuseness: 0.6 specularness: 0.4 blinn_phong {}
+      name: "paint" mirror: 0.5 diffuseness: 0.6 specularness: 0.4 blinn_phong {}
       diffuse { samples { wavelength: [400, 500, 600, 700] value: [0.1, 0.7, 0.2, 0.5] } }
       specular { samples { wavelength: [400, 700] value: [0.9, 0.3] } }
     }

@@ -142,6 +142,7 @@ TEST(Fold, OfEveryMethodIsTheSumOverTheWays) {
     SCOPED_TRACE(choice.ShortDebugString());
     v1::Settings settings;
     *settings.mutable_method() = choice;
+    settings.set_depth(8);
     const v1::Plan plan = make_plan(scene, with_defaults(settings), {.threads = 1});
     const auto method = make_method(plan, scene);
     const auto scratch = method->make_scratch();
