@@ -11,13 +11,13 @@ void declare_json(bool& json, Options& options) {
 }
 
 void declare_weights(std::string& word, Options& options) {
-  options.push_back({.names = "--weights",
-                     .target = &word,
-                     .meaning =
-                         "reflectances between their samples: lines, or astm for samples by 10 or "
-                         "20 nm (ASTM E308, table 5)",
-                     .shows_default = true,
-                     .choices = table_weights_words()});
+  options.push_back(
+      {.names = "--weights",
+       .target = &word,
+       .meaning = "reflectances by their samples: lines for the integral between them, or astm for "
+                  "samples by 10 or 20 nm (ASTM E308, table 5)",
+       .shows_default = true,
+       .choices = table_weights_words()});
 }
 
 void declare_common(CommonOptions& common, Options& options) {

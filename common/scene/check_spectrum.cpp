@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "common/scene/check_wavelengths.h"
+#include "common/scene/interpolated.h"
+#include "common/scene/limits.h"
 #include "common/spectral/cie.h"
 
 namespace metamer {
@@ -35,22 +37,55 @@ void check_samples(const v1::Samples& samples, const std::string& field, Spectru
   }
 }
 
+void check_lines(const v1::Spectrum& spectrum, const std::string& field, SpectrumRole role,
+                 Findings& findings) {
+  if (spectrum.line().empty()) return;
+  if (role != SpectrumRole::emission) return findings.add(field, "lines are for emissions");
+  if (spectrum.line_size() > limits::max_lines) {
+    return findings.add(field, "at most " + std::to_string(limits::max_lines) +
+                                   " lines are possible (there are " +
+                                   std::to_string(spectrum.line_size()) + ")");
+  }
+  for (int i = 0; i < spectrum.line_size(); ++i) {
+    const v1::Line& line = spectrum.line(i);
+    const std::string place = indexed(field, static_cast<std::size_t>(i));
+    check_range(line.nm(), limits::min_wavelength, limits::max_wavelength, place + ".nm", findings);
+    if (!(line.power() > 0)) {
+      findings.add(place + ".power",
+                   "power must be above 0 (it is " + number_text(line.power()) + ")");
+    }
+  }
+}
+
+/// Samples are asked here whether they can be interpolated so; files when they are read.
+void check_interpolation(const v1::Spectrum& spectrum, const std::string& field,
+                         Findings& findings) {
+  const auto asked = interpolation_of(spectrum);
+  if (!asked) return;
+  if (!spectrum.has_file() && !spectrum.has_samples())
+    return findings.add(field, "interpolation is for spectra from a file or from samples");
+  if (spectrum.has_file()) return;
+  if (const auto fault = interpolation_fault(to_spectrum(spectrum.samples()), *asked))
+    findings.add(field, *fault);
+}
+
 }  // namespace
 
 std::string value_fault(double value, SpectrumRole role) {
   // Written so that a NaN is a fault, too.
-  const auto within = [value](double low, double high) { return value >= low && value <= high; };
+  const ValueRange range = value_range(role);
+  if (value >= range.low && value <= range.high) return {};
   switch (role) {
     case SpectrumRole::emission:
-      return value >= 0 ? "" : "an emission must not be negative";
+      return "an emission must not be negative";
     case SpectrumRole::property:
-      return within(0, 1) ? "" : "a property must lie in 0..1";
+      return "a property must lie in 0..1";
     case SpectrumRole::reflectance:
-      return within(0, 0.999999) ? "" : "a reflectance that gives n must lie in 0..0.999999";
+      return "a reflectance that gives n must lie in 0..0.999999";
     case SpectrumRole::index:
-      return within(0.01, 100) ? "" : "an index of refraction must lie in 0.01..100";
+      return "an index of refraction must lie in 0.01..100";
     case SpectrumRole::extinction:
-      return within(0, 100) ? "" : "an extinction coefficient must lie in 0..100";
+      return "an extinction coefficient must lie in 0..100";
   }
   return {};
 }
@@ -59,8 +94,30 @@ bool is_dark(const std::vector<double>& values) {
   return std::none_of(values.begin(), values.end(), [](double value) { return value > 0; });
 }
 
+std::optional<Interpolation> interpolation_of(const v1::Spectrum& spectrum) {
+  switch (spectrum.interpolation()) {
+    case v1::Spectrum::LINEAR:
+      return Interpolation::linear;
+    case v1::Spectrum::SPRAGUE:
+      return Interpolation::sprague;
+    case v1::Spectrum::MONOTONE_CUBIC:
+      return Interpolation::monotone_cubic;
+    case v1::Spectrum::RECOMMENDED:
+    case v1::Spectrum_Interpolation_Spectrum_Interpolation_INT_MIN_SENTINEL_DO_NOT_USE_:
+    case v1::Spectrum_Interpolation_Spectrum_Interpolation_INT_MAX_SENTINEL_DO_NOT_USE_:
+      break;
+  }
+  return std::nullopt;
+}
+
+Spectrum to_spectrum(const v1::Samples& samples) {
+  return {{samples.wavelength().begin(), samples.wavelength().end()},
+          {samples.value().begin(), samples.value().end()}};
+}
+
 void check_spectrum(const v1::Spectrum& spectrum, const std::string& field, SpectrumRole role,
                     Findings& findings) {
+  const std::size_t before = findings.size();
   switch (spectrum.source_case()) {
     case v1::Spectrum::kStandard:
       if (role != SpectrumRole::emission) {
@@ -88,12 +145,18 @@ void check_spectrum(const v1::Spectrum& spectrum, const std::string& field, Spec
       check_samples(spectrum.samples(), field + ".samples", role, findings);
       break;
     case v1::Spectrum::SOURCE_NOT_SET:
-      findings.add(field, "spectrum needs a standard, a file, a constant or samples");
+      if (role != SpectrumRole::emission) {
+        findings.add(field, "spectrum needs a standard, a file, a constant or samples");
+      } else if (spectrum.line().empty()) {
+        findings.add(field, "spectrum needs a standard, a file, a constant, samples or lines");
+      }
       break;
   }
   if (!spectrum.entry().empty() && spectrum.source_case() != v1::Spectrum::kFile) {
     findings.add(field + ".entry", "entry is for spectra from a file");
   }
+  check_lines(spectrum, field + ".line", role, findings);
+  if (findings.size() == before) check_interpolation(spectrum, field + ".interpolation", findings);
 }
 
 }  // namespace metamer

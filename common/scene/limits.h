@@ -25,6 +25,7 @@ inline constexpr std::size_t max_text = 4096;         ///< Bytes; Linux's longes
 inline constexpr std::size_t max_transforms = 64;     ///< Steps of one object's placement.
 inline constexpr double min_wavelength = 1;           ///< nm; spectra and positions lie in
 inline constexpr double max_wavelength = 10'000;      ///< 1 nm to 10 µm; eyes see 360 to 830.
+inline constexpr int max_lines = 256;                 ///< Of a lamp; mercury has 50 that are seen.
 inline constexpr double max_coordinate = 1e15;        ///< Embree aborts beyond 1.8e18.
 inline constexpr std::uint64_t max_asset = 1u << 30;  ///< Ten million triangles as PLY.
 /// Files of a scene: with names of 200 bytes and their digests they are 240 KiB, a control message.

@@ -23,7 +23,9 @@ std::vector<Problem> validate_scene(const v1::Scene& scene);
 using AssetReader = std::function<Result<std::string>(const std::string& name)>;
 
 /// The spectrum that a message stands for. Errors carry the field path below `field`, or file,
-/// line and column inside an asset. Its values must lie in the range of its role.
+/// line and column inside an asset. Its values must lie in the range of its role. Data are
+/// interpolated (interpolated.h) and have their lines: straight lines between samples are all of
+/// it.
 enum class SpectrumRole {
   emission,     ///< Not negative, not 0 everywhere.
   property,     ///< 0..1

@@ -65,14 +65,28 @@ const std::string& word_of(Interpolation interpolation) {
   return interpolation_words()[static_cast<std::size_t>(interpolation)];
 }
 
-Result<Spectrum> interpolated(const Spectrum& samples, Interpolation interpolation,
-                              const ValueRange& range, const std::vector<double>& nm) {
-  if (interpolation == Interpolation::linear) return samples;
+std::optional<std::string> interpolation_fault(const Spectrum& samples,
+                                               Interpolation interpolation) {
+  switch (interpolation) {
+    case Interpolation::linear:
+      return std::nullopt;
+    case Interpolation::sprague:
+      return sprague_fault(samples);
+    case Interpolation::monotone_cubic:
+      return monotone_cubic_fault(samples);
+  }
+  return std::nullopt;
+}
+
+Result<Interpolated> interpolated(const Spectrum& samples, Interpolation interpolation,
+                                  const ValueRange& range, const std::vector<double>& nm) {
+  if (interpolation == Interpolation::linear) return Interpolated{samples, interpolation};
   const std::vector<double> places = between_samples(samples, nm);
   const auto values = values_at(samples, interpolation, places);
   if (!values) return tl::unexpected<Problem>(values.error());
 
-  Spectrum result{{samples.nm.front()}, {samples.values.front()}};
+  Interpolated result{{{samples.nm.front()}, {samples.values.front()}}, interpolation};
+  Spectrum& spectrum = result.spectrum;
   std::size_t k = 0;
   for (std::size_t i = 1; i < samples.nm.size(); ++i) {
     // The places of this stretch, if the interpolant keeps to the range at all of them.
@@ -82,12 +96,13 @@ Result<Spectrum> interpolated(const Spectrum& samples, Interpolation interpolati
       const double value = (*values)[k];
       keeps = keeps && std::isfinite(value) && value >= range.low && value <= range.high;
     }
+    if (!keeps) ++result.straight;
     for (std::size_t j = first; keeps && j < k; ++j) {
-      result.nm.push_back(places[j]);
-      result.values.push_back((*values)[j]);
+      spectrum.nm.push_back(places[j]);
+      spectrum.values.push_back((*values)[j]);
     }
-    result.nm.push_back(samples.nm[i]);
-    result.values.push_back(samples.values[i]);
+    spectrum.nm.push_back(samples.nm[i]);
+    spectrum.values.push_back(samples.values[i]);
   }
   return result;
 }
@@ -113,8 +128,9 @@ Result<double> curvature(const Spectrum& samples, Interpolation interpolation) {
 Interpolation recommended_interpolation(const Spectrum& samples, Outside outside) {
   if (samples.nm.size() < least_samples || median_step(samples.nm) <= fine_step)
     return Interpolation::linear;
-  const auto curve =
-      sprague_fault(samples) ? Interpolation::monotone_cubic : Interpolation::sprague;
+  const auto curve = interpolation_fault(samples, Interpolation::sprague)
+                         ? Interpolation::monotone_cubic
+                         : Interpolation::sprague;
   if (outside == Outside::hold) return curve;
   const auto off = curvature(samples, curve);
   return off && *off <= smooth_curvature ? curve : Interpolation::linear;

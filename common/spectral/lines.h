@@ -12,8 +12,8 @@ struct Line {
   double power;  ///< Of the whole line: what an emission's values are, times nm.
 };
 
-/// An emission with lines: each is a triangle, line_half_width to either side. `continuum` may have
-/// no samples; between 0 and its first sample there is no light.
+/// An emission with lines, in any order: each is a triangle, line_half_width to either side.
+/// `continuum` may have no samples; beyond them there are only the lines.
 Spectrum with_lines(const Spectrum& continuum, const std::vector<Line>& lines);
 
 inline constexpr double line_half_width = 1e-3;  ///< nm; over which no observer changes by 1e-4.

@@ -69,7 +69,7 @@ std::optional<Spectrum> load(const std::string& spectrum, const char* kind, Repo
   options.kind = kind;
   auto loaded = load_one(options, spectrum, report);
   if (!loaded) return std::nullopt;
-  return std::move(loaded->spectrum);
+  return loaded->spectrum();
 }
 
 bool swap_light(const std::string& text, std::set<std::string>& named, v1::SceneFactors& scene,

@@ -17,8 +17,8 @@ struct ResampledSpectrum {
   bool changes = false;     ///< So does what becomes of one interval between two of them.
 };
 
-/// Linear between the samples of `one`; where it has no data an emission is 0, a reflectance holds
-/// its end value.
+/// By the interpolation of `one`; where it has no data an emission is 0, a reflectance holds its
+/// end value.
 ResampledSpectrum resampled(const LoadedSpectrum& one, const Wavelengths& wavelengths);
 
 struct NormalizedSpectrum {
@@ -26,8 +26,8 @@ struct NormalizedSpectrum {
   double factor;  ///< ξ of E[3.2-4].
 };
 
-/// A light of that luminance (finite, above 0) to that observer. Errors: `one` is a reflectance;
-/// it is dark to the observer; its values overflow.
+/// The samples of a light of that luminance (finite, above 0) to that observer. Errors: `one` is a
+/// reflectance; it is dark to the observer; its values overflow.
 Result<NormalizedSpectrum> normalized(const LoadedSpectrum& one, const Observer& observer,
                                       double luminance);
 

@@ -44,7 +44,7 @@ Result<std::vector<LoadedSpectrum>> read_spectra(const std::string& file, std::s
           {.label = printable(one.name.empty() ? file : file + ": " + one.name),
            .name = printable(one.name.empty() ? fs::path(file).stem().string() : one.name),
            .emission = !looks_like_reflectance(one.spectrum),
-           .spectrum = std::move(one.spectrum)});
+           .samples = std::move(one.spectrum)});
     return loaded;
   });
 }
@@ -58,7 +58,8 @@ Result<std::vector<LoadedSpectrum>> find_spectra(const std::string& word, std::s
   return std::vector<LoadedSpectrum>{{.label = word,
                                       .name = word,
                                       .emission = light != nullptr,
-                                      .spectrum = light != nullptr ? *light : *paint}};
+                                      .samples = light != nullptr ? *light : *paint,
+                                      .cie_table = true}};
 }
 
 /// A word, and the entry that it asks for: FILE#ENTRY, where there is no file of the whole name.
@@ -93,6 +94,15 @@ SpectrumResult<std::vector<LoadedSpectrum>> load_word(const std::string& word,
                     did_you_mean(*entry, names));
 }
 
+/// Takes a file's samples for what they are; a table of the CIE's is as it is.
+SpectrumResult<void> interpolate(LoadedSpectrum& one, std::optional<Interpolation> asked) {
+  if (one.cie_table) return {};
+  auto curve = interpolated(one.samples, asked, one.role());
+  if (!curve) return bad_choice(one.label + ": " + curve.error().message);
+  one.curve = std::move(*curve);
+  return {};
+}
+
 }  // namespace
 
 SpectrumResult<std::vector<LoadedSpectrum>> load_spectra(const std::vector<std::string>& words,
@@ -103,6 +113,8 @@ SpectrumResult<std::vector<LoadedSpectrum>> load_spectra(const std::vector<std::
     if (!loaded) return tl::unexpected(std::move(loaded.error()));
     for (LoadedSpectrum& one : *loaded) {
       if (choice.kind) one.emission = *choice.kind == SpectrumKind::emission;
+      if (auto done = interpolate(one, choice.interpolation); !done)
+        return tl::unexpected(std::move(done.error()));
       all.push_back(std::move(one));
     }
   }

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "common/color/table_weights.h"
 #include "common/problem.h"
+#include "common/scene/interpolated.h"
 #include "common/spectral/files/spectra_text.h"
 
 /// Spectra by the names of files and of the CIE's tables.
@@ -13,26 +15,38 @@ namespace metamer::client {
 enum class SpectrumKind { emission, reflectance };
 
 struct LoadedSpectrum {
-  std::string label;  ///< For people: "D65", "paints.sp: red".
-  std::string name;   ///< For a file: the entry's name, else the file's without its folder.
-  bool emission;      ///< A light; else a reflectance.
-  Spectrum spectrum;
+  std::string label;        ///< For people: "D65", "paints.sp: red".
+  std::string name;         ///< For a file: the entry's name, else the file's without its folder.
+  bool emission;            ///< A light; else a reflectance.
+  Spectrum samples;         ///< As measured: what is written again.
+  Interpolated curve = {};  ///< What the samples are taken for; where linear, the samples.
+  bool cie_table = false;   ///< Of which the CIE says what it is between its samples.
 
+  const Spectrum& spectrum() const {
+    return curve.interpolation == Interpolation::linear ? samples : curve.spectrum;
+  }
   /// What it is where it has no data.
   Outside outside() const { return emission ? Outside::zero : Outside::hold; }
+  /// ASTM's weights are made for samples, and are an interpolation of their own.
+  const Spectrum& seen_by(TableWeights weights) const {
+    return weights == TableWeights::astm ? samples : spectrum();
+  }
+  SpectrumRole role() const { return emission ? SpectrumRole::emission : SpectrumRole::property; }
 };
 
 /// What is asked for of files.
 struct SpectrumChoice {
   std::optional<std::string> entry = {};  ///< The one of that name; nothing: all of them.
   std::optional<SpectrumKind> kind = {};  ///< What they are; nothing: as load_spectra guesses.
+  /// What they are between their samples; nothing: as in a scene that says nothing.
+  std::optional<Interpolation> interpolation = {};
 };
 
 /// Why there are no spectra.
 struct SpectrumFault {
   Problem problem;
   std::string source = {};  ///< The text of problem.file, for the line that the problem stands in.
-  bool choice = false;      ///< The file is sound; it is the choice among its spectra that fails.
+  bool choice = false;      ///< The file is sound; it is what was chosen of it that fails.
 };
 
 template <class T>
@@ -40,8 +54,9 @@ using SpectrumResult = tl::expected<T, SpectrumFault>;
 
 /// The spectra of a file, or the CIE illuminant or test colour of that name where there is no such
 /// file; FILE#ENTRY is the entry of a file. A file's spectrum is taken for a reflectance where all
-/// its values lie in 0..1, else for an emission, unless `choice` says which. The error is that of
-/// the first word that has one.
+/// its values lie in 0..1, else for an emission, unless `choice` says which; it is interpolated as
+/// one of a scene. The CIE's are straight lines, as CIE 15 has them. The error is that of the first
+/// word that has one.
 SpectrumResult<std::vector<LoadedSpectrum>> load_spectra(const std::vector<std::string>& words,
                                                          const SpectrumChoice& choice = {});
 /// The same, where only one will do.

@@ -34,14 +34,14 @@ ReflectanceFacts reflectance_facts(const Spectrum& reflectance, const ObserverWe
 
 Result<SpectrumFacts> spectrum_facts(const LoadedSpectrum& one, const Spectrum& light,
                                      const Observer& observer, TableWeights weights) {
-  const Spectrum& spectrum = one.spectrum;
-  const auto [least, most] = std::minmax_element(spectrum.values.begin(), spectrum.values.end());
-  SpectrumFacts facts{
-      spectrum.nm.front(), spectrum.nm.back(), spectrum.nm.size(), *least, *most, {}};
+  const Spectrum& samples = one.samples;
+  const auto [least, most] = std::minmax_element(samples.values.begin(), samples.values.end());
+  SpectrumFacts facts{samples.nm.front(), samples.nm.back(), samples.nm.size(), *least, *most, {}};
   if (one.emission) {
-    facts.look = emission_facts(spectrum, observer);
+    facts.look = emission_facts(one.spectrum(), observer);
     return facts;
   }
+  const Spectrum& spectrum = one.seen_by(weights);
   return weights_under(weights, observer, light, spectrum.nm).map([&](const ObserverWeights& lit) {
     facts.look = reflectance_facts(spectrum, lit);
     return facts;

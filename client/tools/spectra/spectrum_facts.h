@@ -37,7 +37,7 @@ struct ReflectanceFacts {
 struct SpectrumFacts {
   double from, to;      ///< nm, of the first and the last sample.
   std::size_t samples;  ///< At least 1.
-  double min, max;
+  double min, max;      ///< Of the samples.
   std::variant<EmissionFacts, ReflectanceFacts> look;
 };
 

@@ -67,11 +67,85 @@ TEST_F(Spectra, InfoForPeople) {
   ASSERT_EQ(said.code, ExitCode::done) << said.err;
   EXPECT_EQ(said.out, file("grey.sp") +
                           ": reflectance\n"
-                          "  range        400 to 700 nm, 4 samples\n"
+                          "  range        400 to 700 nm, 4 samples, straight lines between them\n"
                           "  values       0.5 to 0.5\n"
                           "  luminance    0.5 of white under D65\n"
                           "  chromaticity x 0.31273, y 0.32903; u' 0.19784, v' 0.46834\n"
                           "  L*a*b*       76.07 0.00 0.00\n");
+}
+
+/// TCS09 by 20 nm, and without two of its samples.
+const char* const even_red =
+    "400 700 20\n0.052\n0.05\n0.046\n0.038\n0.03\n0.028\n0.031\n0.033\n0.041\n0.06\n0.19\n0.505\n"
+    "0.717\n0.781\n0.809\n0.828\n";
+const char* const uneven_red =
+    "400 0.052\n420 0.05\n440 0.046\n480 0.03\n500 0.028\n520 0.031\n540 0.033\n560 0.041\n600 "
+    "0.19\n620 0.505\n640 0.717\n660 0.781\n680 0.809\n700 0.828\n";
+
+TEST_F(Spectra, InfoNamesTheInterpolationAndSeesByIt) {
+  // numpy over 0.05 nm: x̄, ȳ, z̄ and the curves by Sprague's and Steffen's formulas at 1 nm.
+  struct Row {
+    const char *text, *asked, *interpolation;
+    double luminance, l, a, b;
+  };
+  for (const Row& row :
+       {Row{even_red, "", "sprague", 0.131994, 43.0621, 54.6707, 32.5128},
+        Row{even_red, "linear", "linear", 0.134448, 43.4260, 54.3543, 33.1820},
+        Row{uneven_red, "", "monotone-cubic", 0.133803, 43.3308, 54.1715, 33.0236},
+        Row{uneven_red, "linear", "linear", 0.139992, 44.2318, 53.5784, 34.5627}}) {
+    std::vector<std::string> words = {"spectra", "info", write("red.txt", row.text),
+                                      "--under", "F11",  "--json"};
+    if (*row.asked) words.insert(words.end(), {"--interpolation", row.asked});
+    const Said said = say(words);
+    ASSERT_EQ(said.code, ExitCode::done) << said.err;
+    const Json red = said.json()["spectra"][0];
+    EXPECT_EQ(red["interpolation"], row.interpolation);
+    EXPECT_NEAR(red["luminance"].get<double>(), row.luminance, 2e-6) << row.interpolation;
+    EXPECT_NEAR(red["lab"][0].get<double>(), row.l, 5e-4) << row.interpolation;
+    EXPECT_NEAR(red["lab"][1].get<double>(), row.a, 5e-4) << row.interpolation;
+    EXPECT_NEAR(red["lab"][2].get<double>(), row.b, 5e-4) << row.interpolation;
+  }
+  EXPECT_NE(say({"spectra", "info", write("red.txt", even_red)})
+                .out.find("16 samples, Sprague's interpolation between them"),
+            std::string::npos);
+  EXPECT_EQ(say({"spectra", "info", "TCS09", "--json"}).json()["spectra"][0]["interpolation"],
+            "linear");
+}
+
+TEST_F(Spectra, InterpolationThatCannotBeIsRefused) {
+  const std::string red = write("red.txt", uneven_red);
+  const Said said = say({"spectra", "info", red, "--interpolation", "sprague"});
+  EXPECT_EQ(said.code, ExitCode::bad_input);
+  EXPECT_EQ(said.err,
+            "error: " + red +
+                ": Sprague's interpolation takes samples at even distances; 480 nm is not "
+                "at one\n");
+}
+
+TEST_F(Spectra, ConvertAndNormalizeWriteTheSamplesThatWereRead) {
+  const std::string red = write("red.txt", even_red);
+  ASSERT_EQ(say({"spectra", "convert", red, "-o", file("red.sp")}).code, ExitCode::done);
+  EXPECT_EQ(read("red.sp"), read("red.txt"));
+  ASSERT_EQ(say({"spectra", "normalize", red, "--as", "emission", "-o", file("light.txt")}).code,
+            ExitCode::done);
+  EXPECT_EQ(read("light.txt").nm, read("red.txt").nm);
+}
+
+TEST_F(Spectra, ResamplingTakesTheCurve) {
+  // A polynomial of the fourth degree is Sprague's own; below 360 nm, too.
+  std::string text = "300 420 10\n";
+  const auto quartic = [](double nm) {
+    const double x = (nm - 360) / 60;
+    return 0.5 + x * (0.1 + x * (0.2 + x * (-0.1 - x * 0.1)));
+  };
+  for (int nm = 300; nm <= 420; nm += 10) text += number_text(quartic(nm)) + "\n";
+  ASSERT_EQ(say({"spectra", "resample", write("coarse.txt", text), "--samples", "340:380:4", "-o",
+                 file("fine.txt")})
+                .code,
+            ExitCode::done);
+  const Spectrum made = read("fine.txt");
+  for (std::size_t i = 0; i < made.nm.size(); ++i)
+    EXPECT_NEAR(made.values[i], quartic(made.nm[i]), 1e-12) << made.nm[i];
 }
 
 TEST_F(Spectra, AsSaysWhatAFileIs) {

@@ -46,10 +46,11 @@ Loss loss_of(const Reading& reading, const Spectrum& light, double step) {
   Loss loss;
   for (const std::string& name : cie::test_color_names()) {
     const Spectrum& table = *cie::test_color(name);
-    const Spectrum whole = *interpolated(table, Interpolation::sprague, all_reflectances, fine);
+    const Spectrum whole =
+        interpolated(table, Interpolation::sprague, all_reflectances, fine)->spectrum;
     const Spectrum samples = {bands, resample(table, bands, Outside::hold).values};
     const Lab again =
-        reading ? seen(*interpolated(samples, *reading, all_reflectances, fine))
+        reading ? seen(interpolated(samples, *reading, all_reflectances, fine)->spectrum)
                 : to_lab(to_xyz(*weights_under(TableWeights::astm, two_degrees, light, bands),
                                 samples.values),
                          white);

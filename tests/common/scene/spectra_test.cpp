@@ -159,8 +159,10 @@ TEST(SceneObserver, IsTheCiesOrOnesOwnAndNotBoth) {
 
 TEST(SceneSpectrum, SourcesThatAreWrongByThemselves) {
   EXPECT_EQ(light_spectrum(""),
-            Strings({"light[0].spectrum: spectrum needs a standard, a file, a constant or "
-                     "samples"}));
+            Strings({"light[0].spectrum: spectrum needs a standard, a file, a constant, samples "
+                     "or lines"}));
+  EXPECT_EQ(diffuse(""), Strings({"material[0].diffuse: spectrum needs a standard, a file, a "
+                                  "constant or samples"}));
   EXPECT_EQ(light_spectrum("standard: \"d65\""),
             Strings({"light[0].spectrum.standard: \"d65\" is not a standard illuminant; did you "
                      "mean \"D65\"?"}));

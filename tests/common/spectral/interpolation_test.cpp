@@ -38,7 +38,8 @@ TEST(Interpolation, KeepsTheSamplesToTheBitAndAddsWholeNanometres) {
     for (const double step : {10.0, 2.5, 20.0 / 3}) {
       const Spectrum samples = wavy_paint(from, step, 12);
       for (const Interpolation curve : curves) {
-        const Spectrum fine = *interpolated(samples, curve, property_values, whole_nanometres());
+        const Spectrum fine =
+            interpolated(samples, curve, property_values, whole_nanometres())->spectrum;
         for (std::size_t i = 0; i < samples.nm.size(); ++i)
           EXPECT_EQ(interpolated_at(fine, samples.nm[i]), samples.values[i]) << samples.nm[i];
         for (const double nm : fine.nm) {
@@ -55,7 +56,8 @@ TEST(Interpolation, KeepsTheSamplesToTheBitAndAddsWholeNanometres) {
           EXPECT_NEAR(interpolated_at(fine, nm), exact, 1e-12) << nm;
         }
       }
-      EXPECT_EQ(*interpolated(samples, Interpolation::linear, property_values, whole_nanometres()),
+      EXPECT_EQ(interpolated(samples, Interpolation::linear, property_values, whole_nanometres())
+                    ->spectrum,
                 samples);
     }
 }
@@ -66,7 +68,7 @@ TEST(Interpolation, LeavesTheStraightLineWhereTheCurveLeavesTheRange) {
   const Spectrum filter = {{400, 410, 420, 430, 440, 450, 460, 470, 480, 490, 500},
                            {0.2, 0.1, 0, 0, 0.1, 0.8, 1, 1, 0.9, 0.8, 0.5}};
   const Spectrum fine =
-      *interpolated(filter, Interpolation::sprague, property_values, whole_nanometres());
+      interpolated(filter, Interpolation::sprague, property_values, whole_nanometres())->spectrum;
   EXPECT_LT(sprague(filter, {425})->front(), 0);
   EXPECT_GT(sprague(filter, {465})->front(), 1);
   for (const double value : fine.values) EXPECT_TRUE(value >= 0 && value <= 1) << value;
@@ -75,9 +77,13 @@ TEST(Interpolation, LeavesTheStraightLineWhereTheCurveLeavesTheRange) {
   for (const double nm : {405.0, 445.0, 485.0, 495.0})
     EXPECT_NEAR(interpolated_at(fine, nm), sprague(filter, {nm})->front(), 1e-12) << nm;
 
+  EXPECT_EQ(
+      interpolated(filter, Interpolation::sprague, property_values, whole_nanometres())->straight,
+      3u);
+
   // A light may be above 1.
   const Spectrum light =
-      *interpolated(filter, Interpolation::sprague, emission_values, whole_nanometres());
+      interpolated(filter, Interpolation::sprague, emission_values, whole_nanometres())->spectrum;
   EXPECT_EQ(interpolated_at(light, 425), 0);
   EXPECT_GT(interpolated_at(light, 465), 1);
 }
@@ -86,7 +92,8 @@ TEST(Interpolation, SurvivesValuesThatOverflow) {
   Spectrum samples = wavy_paint(400, 10, 12);
   for (std::size_t i = 0; i < 12; ++i) samples.values[i] = i % 2 == 0 ? 1e308 : 0;
   for (const Interpolation curve : curves) {
-    const Spectrum fine = *interpolated(samples, curve, emission_values, whole_nanometres());
+    const Spectrum fine =
+        interpolated(samples, curve, emission_values, whole_nanometres())->spectrum;
     for (const double value : fine.values) EXPECT_TRUE(std::isfinite(value));
   }
   EXPECT_EQ(recommended_interpolation(samples, Outside::zero), Interpolation::linear);

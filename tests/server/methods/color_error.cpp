@@ -19,7 +19,8 @@ std::string samples(const Spectrum& spectrum) {
     nm += (i ? ", " : "") + std::to_string(spectrum.nm[i]);
     values += (i ? ", " : "") + std::to_string(spectrum.values[i]);
   }
-  return "{ samples { wavelength: [" + nm + "] value: [" + values + "] } }";
+  // The source has straight lines between samples.
+  return "{ samples { wavelength: [" + nm + "] value: [" + values + "] } interpolation: LINEAR }";
 }
 
 std::string booth(const std::string& illuminant) {

@@ -84,7 +84,7 @@ std::string text_of(const Spectrum& spectrum) {
     std::snprintf(number, sizeof number, "%s%.10g", i ? ", " : "", spectrum.values[i]);
     values += number;
   }
-  return "samples { wavelength: [" + nm + "] value: [" + values + "] }";
+  return "samples { wavelength: [" + nm + "] value: [" + values + "] } interpolation: LINEAR";
 }
 
 const std::vector<double>& PlainSum::wavelengths() {

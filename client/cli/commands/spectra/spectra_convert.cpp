@@ -19,7 +19,7 @@ ExitCode run(const ConvertOptions& options) {
   if (!spectra) return report.finish(ExitCode::bad_input);
   std::vector<NamedSpectrum> same;
   for (const LoadedSpectrum& one : *spectra)
-    same.push_back({.name = one.name, .spectrum = one.spectrum});
+    same.push_back({.name = one.name, .spectrum = one.samples});
   return report.finish(write_spectra(options.output, same, report));
 }
 

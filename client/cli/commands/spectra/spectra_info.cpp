@@ -58,6 +58,8 @@ Json json_of(const LoadedSpectrum& one, const SpectrumFacts& facts, const std::s
   json["from"] = facts.from;
   json["to"] = facts.to;
   json["samples"] = facts.samples;
+  json["interpolation"] = word_of(one.curve.interpolation);
+  if (one.curve.straight > 0) json["straight_stretches"] = one.curve.straight;
   json["min"] = facts.min;
   json["max"] = facts.max;
   if (const auto* emission = std::get_if<EmissionFacts>(&facts.look)) add(*emission, json);
@@ -102,13 +104,33 @@ std::string text_of(const ReflectanceFacts& facts, const std::string& under) {
   return text;
 }
 
+/// What it is between its samples.
+std::string between(const LoadedSpectrum& one) {
+  const auto text = [&](const char* curve) {
+    if (one.curve.straight == 0) return curve + std::string(" between them");
+    return curve + std::string(" between them, but straight lines in ") +
+           std::to_string(one.curve.straight) +
+           (one.curve.straight == 1 ? " stretch" : " stretches") +
+           (one.emission ? " where it goes below 0" : " where it leaves 0..1");
+  };
+  switch (one.curve.interpolation) {
+    case Interpolation::linear:
+      return text("straight lines");
+    case Interpolation::sprague:
+      return text("Sprague's interpolation");
+    case Interpolation::monotone_cubic:
+      return text("a monotone cubic");
+  }
+  return {};
+}
+
 std::string text_of(const LoadedSpectrum& one, const SpectrumFacts& facts,
                     const std::string& under) {
   std::string text = one.label + (one.emission ? ": emission" : ": reflectance") +
                      "\n  range        " + number_text(facts.from) + " to " +
                      number_text(facts.to) + " nm, " + std::to_string(facts.samples) +
-                     (facts.samples == 1 ? " sample" : " samples") + "\n  values       " +
-                     digits(facts.min) + " to " + digits(facts.max);
+                     (facts.samples == 1 ? " sample" : " samples, " + between(one)) +
+                     "\n  values       " + digits(facts.min) + " to " + digits(facts.max);
   if (const auto* emission = std::get_if<EmissionFacts>(&facts.look)) text += text_of(*emission);
   if (const auto* paint = std::get_if<ReflectanceFacts>(&facts.look))
     text += text_of(*paint, under);

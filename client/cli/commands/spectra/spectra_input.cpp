@@ -14,6 +14,7 @@ using client::SpectrumKind;
 /// --entry and --as.
 std::optional<client::SpectrumChoice> choice_of(const SpectraOptions& options, Report& report) {
   client::SpectrumChoice choice{.entry = options.entry};
+  if (options.interpolation) choice.interpolation = find_interpolation(*options.interpolation);
   if (!options.kind) return choice;
   if (*options.kind != "emission" && *options.kind != "reflectance") {
     report.error("--as: " + metamer::quoted(*options.kind) +
@@ -65,6 +66,11 @@ void declare_spectra(SpectraOptions& values, Options& options, bool single) {
                      .target = &values.kind,
                      .meaning = "emission or reflectance; a file whose values all lie in 0..1 is "
                                 "taken for a reflectance"});
+  options.push_back({.names = "--interpolation",
+                     .target = &values.interpolation,
+                     .meaning = "what files are between their samples; else as in a scene: a curve "
+                                "where data are smooth and more than 1 nm apart",
+                     .choices = interpolation_words()});
   declare_json(values.json, options);
 }
 
@@ -116,8 +122,8 @@ std::optional<Spectrum> load_light(const std::string& word, const std::string& o
                                    Report& report) {
   auto light = loaded_or_told(client::load_one(word, {.kind = SpectrumKind::emission}), report);
   if (!light) return std::nullopt;
-  const std::string fault = client::emission_fault(light->spectrum);
-  if (fault.empty()) return std::move(light->spectrum);
+  const std::string fault = client::emission_fault(light->samples);
+  if (fault.empty()) return light->spectrum();
   report.error(option + ": " + fault);
   return std::nullopt;
 }

@@ -17,11 +17,12 @@ namespace metamer::cli {
 struct SpectraOptions {
   bool json = false;
   std::vector<std::string> files;
-  std::optional<std::string> entry;        ///< Of files with several spectra: this one.
-  std::optional<std::string> kind;         ///< "emission", "reflectance"
-  std::string observer = "cie-1931-2deg";  ///< Or "cie-1964-10deg", or a file.
-  std::string under = "D65";               ///< The light of reflectances.
-  std::string weights = "lines";           ///< What these are between samples; or "astm".
+  std::optional<std::string> entry;          ///< Of files with several spectra: this one.
+  std::optional<std::string> kind;           ///< "emission", "reflectance"
+  std::optional<std::string> interpolation;  ///< "linear", "sprague", "monotone-cubic"
+  std::string observer = "cie-1931-2deg";    ///< Or "cie-1964-10deg", or a file.
+  std::string under = "D65";                 ///< The light of reflectances.
+  std::string weights = "lines";             ///< What these are between samples; or "astm".
 };
 
 struct SpectraOutputOptions {
@@ -29,7 +30,7 @@ struct SpectraOutputOptions {
   std::optional<std::string> format;  ///< "pairs", "uniform", "cgats"
 };
 
-/// Files, --entry, --as and --json. `single`: one file.
+/// Files, --entry, --as, --interpolation and --json. `single`: one file.
 void declare_spectra(SpectraOptions& values, Options& options, bool single = false);
 void declare_observer(SpectraOptions& values, Options& options);
 void declare_under(SpectraOptions& values, Options& options);

@@ -46,7 +46,7 @@ ExitCode run(const MetamerOptions& options) {
   const auto against = load_light(other, "--against", report);
   if (!original || !under || !against) return report.finish(ExitCode::bad_input);
 
-  const auto table = client::metamer_table(original->spectrum, {options.input.under, *under},
+  const auto table = client::metamer_table(original->spectrum(), {options.input.under, *under},
                                            {other, *against}, *observer);
   if (!table) {
     report.error(quoted(original->label) + ": " + table.error().message);

@@ -41,7 +41,7 @@ std::string script(const std::vector<LoadedSpectrum>& spectra) {
                       : "set ylabel 'reflectance'\nset yrange [*<0:1<*]\n";
   std::string plots;
   for (std::size_t i = 0; i < spectra.size(); ++i) {
-    const Spectrum& spectrum = spectra[i].spectrum;
+    const Spectrum& spectrum = spectra[i].spectrum();
     const std::string block = "$d" + std::to_string(i);
     text += block + " << EOD\n";
     for (std::size_t k = 0; k < spectrum.nm.size(); ++k)

@@ -20,7 +20,7 @@ TEST(SpectraFiles, ANameOfTheCiesIsALightOrAPaint) {
   ASSERT_TRUE(both);
   ASSERT_EQ(both->size(), 2u);
   EXPECT_TRUE((*both)[0].emission);
-  EXPECT_EQ((*both)[0].spectrum, *cie::illuminant("F11"));
+  EXPECT_EQ((*both)[0].spectrum(), *cie::illuminant("F11"));
   EXPECT_EQ((*both)[0].outside(), Outside::zero);
   EXPECT_FALSE((*both)[1].emission);
   EXPECT_EQ((*both)[1].label, "TCS09");

@@ -74,7 +74,7 @@ TEST(SpectrumRgb, PrimariesOnALineMakeNoSpace) {
                     primaries.mutable_white()})
     one->Resize(2, 0.3);
   const LoadedSpectrum light{"", "", true, *cie::illuminant("A")};
-  EXPECT_FALSE(spectrum_rgb(light, light.spectrum, cie::observer_1931(), 1, how));
+  EXPECT_FALSE(spectrum_rgb(light, light.spectrum(), cie::observer_1931(), 1, how));
 }
 
 }  // namespace
