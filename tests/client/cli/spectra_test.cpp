@@ -118,7 +118,7 @@ TEST_F(Spectra, InterpolationThatCannotBeIsRefused) {
   EXPECT_EQ(said.code, ExitCode::bad_input);
   EXPECT_EQ(said.err,
             "error: " + red +
-                ": Sprague's interpolation takes samples at even distances; 480 nm is not "
+                ": Sprague's interpolation takes samples at even distances; 420 nm is not "
                 "at one\n");
 }
 

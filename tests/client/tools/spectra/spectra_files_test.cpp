@@ -48,13 +48,13 @@ TEST(SpectraFiles, AnEntryIsChosenByTheWordOrForAll) {
   const std::string file = folder.write("two.sp", two_colors);
   EXPECT_EQ(load_spectra({file})->size(), 2u);
   EXPECT_EQ(load_spectra({file})->at(1).name, "b?[2J") << "it could command a terminal";
-  EXPECT_EQ(load_one(file + "#red")->spectrum.values, (std::vector<double>{0, 1}));
+  EXPECT_EQ(load_one(file + "#red")->spectrum().values, (std::vector<double>{0, 1}));
   EXPECT_EQ(load_one(file, {.entry = "red"})->label, file + ": red");
   EXPECT_EQ(load_one(file + "#red", {.entry = "blue"})->name, "red") << "the word's own goes first";
 
   // A file may be called like that itself.
   folder.write("two.sp#red", "500 0.25\n");
-  EXPECT_EQ(load_one(file + "#red")->spectrum.values, (std::vector<double>{0.25}));
+  EXPECT_EQ(load_one(file + "#red")->spectrum().values, (std::vector<double>{0.25}));
 }
 
 TEST(SpectraFiles, AWrongChoiceIsToldFromAWrongFile) {
