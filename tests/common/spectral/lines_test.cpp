@@ -7,7 +7,7 @@
 namespace metamer {
 namespace {
 
-constexpr auto observer_of_1931 = cie::Observer::cie_1931_2deg;
+const Observer& observer_of_1931 = cie::observer_1931();
 
 /// x̄, ȳ, z̄ times the power of each line.
 Xyz sum_over(const std::vector<Line>& lines) {
@@ -15,8 +15,7 @@ Xyz sum_over(const std::vector<Line>& lines) {
   for (std::size_t c = 0; c < 3; ++c)
     for (const Line& line : lines)
       xyz[c] += line.power *
-                resample(cie::matching_functions(observer_of_1931)[c], {line.nm}, Outside::zero)
-                    .values[0];
+                resample(observer_of_1931.functions()[c], {line.nm}, Outside::zero).values[0];
   return xyz;
 }
 
