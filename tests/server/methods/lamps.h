@@ -25,7 +25,8 @@ const std::vector<Lamp>& lamps();
 /// Its data: every wavelength is a multiple of 0.005 nm.
 Spectrum samples_of(const Lamp& lamp);
 
-/// "samples { wavelength: […] value: […] } interpolation: LINEAR": a plain sum takes straight lines.
+/// "samples { wavelength: […] value: […] } interpolation: LINEAR": a plain sum takes straight
+/// lines.
 std::string text_of(const Spectrum& spectrum);
 
 /// X Y Z of reflected light of luminance 1 as a plain sum over the middles of 0.005 nm: what all
