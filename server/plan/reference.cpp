@@ -75,7 +75,7 @@ struct Reference::Fold : FoldHooks {
 
 Xyz Reference::resolve(const Gather& gather, double scale) {
   Xyz xyz{};
-  if (gather.surfaces().empty() && gather.terms().empty()) return xyz;
+  if (gather.is_dark()) return xyz;
   carriers_.assign(gather.chains().size() * bands_, 0.0);
   fold(gather, Fold{{}, *this});
   using Row = Eigen::Map<const Eigen::VectorXd>;  // whose sums are made in lanes

@@ -36,11 +36,15 @@ DirectTables ReferenceMethod::direct_tables() const {
 
 double ReferenceMethod::preparation_cost() const { return costs::table(rows_, bands_); }
 
-/// f64 takes more than twice as long as f32, from rows that are not in the first cache.
+/// In f64, and from rows beyond the first cache: measured over 940 to 7,982 bands, ns a value.
 double ReferenceMethod::resolve_cost(const Gather& gather) const {
-  if (costs::terms(gather) == 0) return 0;
-  const double loop = 5 * costs::loop(bands_);
-  return costs::terms(gather) * 2 * loop + costs::chains(gather) * 2 * loop + 3 * loop;
+  if (gather.is_dark()) return 0;
+  constexpr double lobe = 0.33, chain = 0.83, sums = 0.75;
+  double lobes = static_cast<double>(gather.terms().size());
+  for (std::size_t s = 0; s < gather.surfaces().size(); ++s)
+    for (const LobeWeights& w : gather.weights(s))
+      lobes += (w.diffuse != 0) + (w.specular != 0) + (w.white != 0);
+  return static_cast<double>(bands_) * (lobe * lobes + chain * costs::chains(gather) + sums);
 }
 
 }  // namespace metamer

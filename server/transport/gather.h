@@ -48,6 +48,9 @@ class Gather {
     terms_.clear();
   }
 
+  /// Nothing has been received.
+  bool is_dark() const { return surfaces_.empty() && terms_.empty(); }
+
   /// The chain that continues `parent` by `factor`.
   std::uint32_t chain(std::uint32_t parent, const Factor& factor) {
     for (std::size_t i = 1; i < chains_.size(); ++i)
