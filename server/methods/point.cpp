@@ -9,19 +9,28 @@
 namespace metamer {
 namespace {
 
+/// What a light is around each wavelength; around a single one, all of it that anybody sees.
+std::vector<double> cell_power(const Spectrum& emission, const std::vector<double>& nm) {
+  if (nm.size() > 1) return band_means(emission, nm);
+  const std::vector<double> ends = light_shares(emission, {observer_from_nm, observer_to_nm});
+  return {(ends[0] + ends[1]) / (observer_to_nm - observer_from_nm)};
+}
+
 std::unique_ptr<Method> make(const Wavelengths& wavelengths, const Observer& choice,
                              v1::Point::Lights kind, const RenderScene& scene) {
-  const ObserverWeights observer = observer_weights(choice, wavelengths);
+  const bool cells = kind == v1::Point::CELLS;
+  const ObserverWeights observer =
+      cells ? observer_of_bands(choice, wavelengths.nm()) : observer_weights(choice, wavelengths);
   const std::size_t bands = wavelengths.size();
 
   // Give each light its luminance with these very samples, E[3.2-4].
   BandTable lights(scene.lights.size(), bands);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const Spectrum& emission = scene.emissions[scene.lights[i].emission];
-    auto power = kind == v1::Point::CELLS
-                     ? mean_power(emission, wavelengths)
-                     : resample(emission, wavelengths.nm(), Outside::zero).values;
-    const double scale = luminance_scale(observer, power, scene.lights[i].luminance);
+    auto power = cells ? cell_power(emission, wavelengths.nm())
+                       : resample(emission, wavelengths.nm(), Outside::zero).values;
+    // An observer of bands falls below 0 beside what it sees: light there stays dark.
+    const double scale = std::max(0.0, luminance_scale(observer, power, scene.lights[i].luminance));
     for (double& value : power) value *= scale;
     lights.set(i, power);
   }

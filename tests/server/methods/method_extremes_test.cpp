@@ -81,10 +81,11 @@ bool has_notice(const v1::Plan& plan, const std::string& part) {
 Xyz white_of(const RenderScene& scene, const v1::Method& method) {
   const bool sampled = method.has_point() && !method.point().has_fitted();
   const Wavelengths wavelengths = sampled ? method_wavelengths(method) : dense();
-  const ObserverWeights observer = observer_weights(cie::observer_1931(), wavelengths);
-  auto power = method.point().lights() == v1::Point::CELLS
-                   ? mean_power(scene.emissions[0], wavelengths)
-                   : resample(scene.emissions[0], wavelengths.nm(), Outside::zero).values;
+  const bool cells = method.point().lights() == v1::Point::CELLS;
+  const ObserverWeights observer = cells ? observer_of_bands(cie::observer_1931(), wavelengths.nm())
+                                         : observer_weights(cie::observer_1931(), wavelengths);
+  auto power = cells ? band_means(scene.emissions[0], wavelengths.nm())
+                     : resample(scene.emissions[0], wavelengths.nm(), Outside::zero).values;
   const double scale = luminance_scale(observer, power, 1);
   for (double& value : power) value *= scale;
   return to_xyz(observer, power);

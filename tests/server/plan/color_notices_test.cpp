@@ -104,9 +104,49 @@ TEST(Point, ChoosesWhatLightsAreByTheSmallerError) {
     return make_plan(made, with_defaults(settings), {.threads = 1}).method().point().lights();
   };
   EXPECT_EQ(lights(sodium), v1::Point::CELLS);
-  // Its own samples lie at these wavelengths: numpy finds their white ΔE00 0.15 off, of means 0.24.
-  EXPECT_EQ(lights("standard: 'F11'"), v1::Point::SAMPLES);
+  // Its own samples lie at these wavelengths: their white is ΔE00 0.15 off, that of means 0.06.
+  EXPECT_EQ(lights("standard: 'F11'"), v1::Point::CELLS);
+  EXPECT_EQ(lights("standard: 'D65'"), v1::Point::SAMPLES);
   EXPECT_EQ(lights("samples { wavelength: [300, 900] value: [1, 1] }"), v1::Point::SAMPLES);
+}
+
+TEST(Point, OfOneWavelengthSeesALightWhereverItsLinesAre) {
+  // A laser of 638 nm by a single wavelength of 550 nm has that one's colour, and all its
+  // luminance.
+  const RenderScene made =
+      compile_text(scene("samples { wavelength: [637, 638, 639] value: [0, 1, 0] }", grey));
+  v1::Settings settings;
+  settings.mutable_method()->mutable_point()->add_wavelengths(550);
+  settings.mutable_method()->mutable_point()->set_lights(v1::Point::CELLS);
+  const v1::Plan plan = make_plan(made, with_defaults(settings), {.threads = 1});
+  Gather gather(1);
+  gather.weights(gather.surface(0, 0), 0) = {1, 0, 0};
+  const auto method = make_method(plan, made);
+  const auto xyz = method->resolve(gather, 1, *method->make_scratch());
+  const auto& [x, y, z] = cie::observer_1931().functions();
+  const double at_y = resample(y, {550}, Outside::zero).values[0];
+  EXPECT_NEAR(xyz[1], 0.5, 1e-6);
+  EXPECT_NEAR(xyz[0], 0.5 * resample(x, {550}, Outside::zero).values[0] / at_y, 1e-6);
+  EXPECT_NEAR(xyz[2], 0.5 * resample(z, {550}, Outside::zero).values[0] / at_y, 1e-6);
+}
+
+TEST(Point, OfBandsThatDoNotSeeALightLeavesItDarkAndNotNegative) {
+  for (const double nm : {403.0, 411.0, 690.0, 697.0}) {
+    const std::string at = std::to_string(nm);
+    const RenderScene made =
+        compile_text(scene("samples { wavelength: " + at + " value: 1 }", grey));
+    for (const double step : {5.0, 20.0, 50.0, 100.0}) {
+      v1::Settings settings;
+      *settings.mutable_method() = uniform(400, 700, step);
+      settings.mutable_method()->mutable_point()->set_lights(v1::Point::CELLS);
+      const v1::Plan plan = make_plan(made, with_defaults(settings), {.threads = 1});
+      Gather gather(1);
+      gather.weights(gather.surface(0, 0), 0) = {1, 0, 0};
+      const auto method = make_method(plan, made);
+      const float luminance = method->resolve(gather, 1, *method->make_scratch())[1];
+      EXPECT_TRUE(luminance == 0 || std::abs(luminance - 0.5f) < 1e-4f) << nm << " by " << step;
+    }
+  }
 }
 
 }  // namespace
