@@ -143,7 +143,8 @@ TEST(SceneObserver, ThatIsWrongIsLocatedInItsFile) {
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems[0].field, "settings.observer_file");
   EXPECT_EQ(format(problems[0]),
-            "eye.csv: error: is no observer: ȳ must not be negative (it is -0.5 at 700 nm)");
+            "eye.csv: error: settings.observer_file: is no observer: ȳ must not be negative (it is "
+            "-0.5 at 700 nm)");
   scene.mutable_settings()->set_observer_file("none.csv");
   problems = validate_spectra(scene, files.reader());
   EXPECT_EQ(describe(problems), Strings{"settings.observer_file: file \"none.csv\" is not there"});
