@@ -70,7 +70,9 @@ Filter make_filter(const RenderScene& scene, const Observer& observer,
       filter.white[i] = 1;
       filter.surface.col(i) = equal * filter.to_values.row(i).transpose();
     }
-    filter.surface.col(i) /= filter.surface.col(i).sum();
+    // An observer may see nothing of it anywhere.
+    const double all = filter.surface.col(i).sum();
+    if (all != 0) filter.surface.col(i) /= all;
   }
   return filter;
 }

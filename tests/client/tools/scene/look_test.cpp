@@ -144,7 +144,8 @@ TEST(Words, SayWhatWasPerhapsMeant) {
             "no backend named \"software\"; there are cpu, gl");
   EXPECT_EQ(adaptation_named("bradfort").error().message,
             "no adaptation named \"bradfort\"; did you mean \"bradford\"?");
-  EXPECT_EQ(observer_named("").error().message, "no observer named \"\"");
+  EXPECT_EQ(observer_named("").error().message,
+            "no observer named \"\"; there are cie-1931-2deg, cie-1964-10deg");
 }
 
 }  // namespace
