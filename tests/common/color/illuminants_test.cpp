@@ -1,0 +1,76 @@
+#include "common/color/illuminants.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "common/color/chromaticity.h"
+#include "common/color/xyz.h"
+#include "common/spectral/cie.h"
+
+namespace metamer {
+namespace {
+
+void expect_white(const std::string& name, double x, double y, double within) {
+  const auto light = illuminant_named(name);
+  ASSERT_TRUE(light) << name;
+  const Xyz white = white_of(*light, cie::observer_1931());
+  const double sum = white[0] + white[1] + white[2];
+  EXPECT_NEAR(white[0] / sum, x, within) << name;
+  EXPECT_NEAR(white[1] / sum, y, within) << name;
+}
+
+std::string fault_of(const std::string& name) {
+  const auto light = illuminant_named(name);
+  return light ? "no error" : light.error().message;
+}
+
+TEST(Illuminants, OfDaylightHaveTheChromaticitiesOfCie15) {
+  // CIE 15:2004, table 3; the temperatures are the nominal ones times 1.4388 / 1.4380.
+  expect_white("D:5003K", 0.3457, 0.3585, 2e-4);
+  expect_white("D:5503K", 0.3324, 0.3474, 2e-4);
+  expect_white("D:6504K", 0.3127, 0.3290, 2e-4);
+  expect_white("D:7504K", 0.2990, 0.3149, 2e-4);
+}
+
+TEST(Illuminants, OfDaylightAreTheTablesOfCie15) {
+  // CIE 15 rounds the shares of the components to three digits, and the tables to five.
+  const Spectrum daylight = *illuminant_named("D:6504K");
+  const Spectrum& table = *cie::illuminant("D65");
+  const double scale = resample(table, {560}, Outside::zero).values.front();
+  const std::vector<double> values = resample(table, daylight.nm, Outside::zero).values;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    EXPECT_NEAR(daylight.values[i], values[i] / scale, 2e-3) << daylight.nm[i];
+}
+
+TEST(Illuminants, OfBlackBodiesLieOnThePlanckianLocus) {
+  // CIE 15: A, which is 2856 K with c2 = 1.4388e-2 m K. The others are a plain sum over the
+  // observer's table by 5 nm, in Python.
+  expect_white("2856K", 0.4476, 0.4074, 1e-4);
+  expect_white("6500K", 0.31353, 0.32363, 1e-4);
+  expect_white("1000000K", 0.24013, 0.23442, 1e-4);
+  for (const char* name : {"500K", "1000000K"}) {
+    const Spectrum light = *illuminant_named(name);
+    for (const double value : light.values) EXPECT_TRUE(std::isfinite(value)) << name;
+  }
+}
+
+TEST(Illuminants, ByTheCiesNamesAreItsTables) {
+  for (const std::string& name : cie::illuminant_names())
+    EXPECT_EQ(*illuminant_named(name), *cie::illuminant(name));
+}
+
+TEST(Illuminants, SayWhatIsWrongWithAName) {
+  EXPECT_EQ(fault_of("D66"), "\"D66\" is not a standard illuminant; did you mean \"D65\"?");
+  EXPECT_EQ(fault_of("D:3000K"), "\"D:3000K\" is out of range: daylight may have 4000 to 25000 K");
+  EXPECT_EQ(fault_of("499K"), "\"499K\" is out of range: a black body may have 500 to 1e+06 K");
+  EXPECT_EQ(fault_of("D:4000K"), "no error");
+  EXPECT_EQ(fault_of("D:25000K"), "no error");
+  EXPECT_EQ(fault_of("5003.5K"), "no error");
+  for (const char* name :
+       {"", "K", "D:", "D:K", "D:65", "-1K", "1e3K", "nanK", "infK", "2856 K", "D:6504"})
+    EXPECT_NE(fault_of(name), "no error") << name;
+}
+
+}  // namespace
+}  // namespace metamer
