@@ -9,7 +9,7 @@ namespace metamer {
 namespace {
 
 /// Of what is seen, a panel's error may be this share. Errors of panels are of either sign.
-constexpr double tolerance = 1e-6;
+constexpr double tolerance = 3e-7;
 /// A value is off relative to itself, or to this share of its panel's largest.
 constexpr double darkest = 1e-3;
 /// No panel is cut below it, nm.

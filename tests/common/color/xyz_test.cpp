@@ -13,11 +13,11 @@ struct White {
   double x, y;
 };
 
-struct Chromaticity {
+struct WhitePoint {
   double x, y;
 };
 
-Chromaticity chromaticity(const Xyz& xyz) {
+WhitePoint chromaticity(const Xyz& xyz) {
   const double sum = xyz[0] + xyz[1] + xyz[2];
   return {xyz[0] / sum, xyz[1] / sum};
 }
@@ -31,7 +31,7 @@ Xyz white_of(Observer observer, const std::string& light) {
 }
 
 void expect_white(Observer observer, const White& white, double tolerance) {
-  const Chromaticity c = chromaticity(white_of(observer, white.light));
+  const WhitePoint c = chromaticity(white_of(observer, white.light));
   EXPECT_NEAR(c.x, white.x, tolerance) << white.light;
   EXPECT_NEAR(c.y, white.y, tolerance) << white.light;
 }
@@ -79,7 +79,7 @@ TEST(WhitePoints, AreThePublishedOnesFor10Degrees) {
   // These were summed by 1 nm.
   for (const White& white : std::vector<White>{
            {"F2", 0.37925, 0.36733}, {"F7", 0.31569, 0.32960}, {"F11", 0.38541, 0.37123}}) {
-    const Chromaticity c =
+    const WhitePoint c =
         chromaticity(emission_xyz(*cie::illuminant(white.light), cie::observer_1964()));
     EXPECT_NEAR(c.x, white.x, 2e-5) << white.light;
     EXPECT_NEAR(c.y, white.y, 2e-5) << white.light;
