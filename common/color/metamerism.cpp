@@ -19,11 +19,20 @@ Result<std::vector<Mismatch>> metamerism(const Spectrum& one, const Spectrum& ot
     result.push_back({.light = light.name,
                       .one = first,
                       .other = second,
+                      .white = white,
                       .de00 = delta_e_00(lab, other_lab),
                       .deab = delta_e_ab(lab, other_lab),
                       .deuv = delta_e_uv(to_luv(first, white), to_luv(second, white))});
   }
   return result;
+}
+
+MetamerismIndex metamerism_index(const Mismatch& reference, const Mismatch& test) {
+  Xyz corrected = test.other;
+  for (std::size_t c = 0; c < corrected.size(); ++c)
+    if (reference.other[c] > 0) corrected[c] *= reference.one[c] / reference.other[c];
+  const Lab one = to_lab(test.one, test.white), other = to_lab(corrected, test.white);
+  return {.de00 = delta_e_00(one, other), .deab = delta_e_ab(one, other)};
 }
 
 std::vector<NamedSpectrum> cie_lights() {

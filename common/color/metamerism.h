@@ -13,9 +13,21 @@ namespace metamer {
 /// How two reflectances look under one light of luminance 1, which is the white.
 struct Mismatch {
   std::string light;
-  Xyz one, other;
+  Xyz one, other, white;
   double de00, deab, deuv;
 };
+
+/// How two reflectances part when the light changes: their difference under another light once what
+/// they differ by already under the first is taken away.
+struct MetamerismIndex {
+  double de00, deab;
+};
+
+/// The special metamerism index, change in illuminant (CIE 15:2004, 9.2; ISO 18314-4:2020): the
+/// difference under `test`, where the X, Y and Z of the other are multiplied by what makes them the
+/// one's under `reference`. One that is 0 there, which nothing can be multiplied to, stays as it
+/// is.
+MetamerismIndex metamerism_index(const Mismatch& reference, const Mismatch& test);
 
 /// The differences under each of `lights`, integrated from 360 to 830 nm; reflectances hold their
 /// end values. Error: a light that the observer does not see.

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "common/color/illuminants.h"
 #include "common/scene/check_wavelengths.h"
 #include "common/scene/interpolated.h"
 #include "common/scene/limits.h"
-#include "common/spectral/cie.h"
 
 namespace metamer {
 
@@ -122,10 +122,8 @@ void check_spectrum(const v1::Spectrum& spectrum, const std::string& field, Spec
     case v1::Spectrum::kStandard:
       if (role != SpectrumRole::emission) {
         findings.add(field + ".standard", "a standard illuminant is an emission, not a property");
-      } else if (cie::illuminant(spectrum.standard()) == nullptr) {
-        findings.add(field + ".standard",
-                     quoted(spectrum.standard()) + " is not a standard illuminant" +
-                         did_you_mean(spectrum.standard(), cie::illuminant_names()));
+      } else if (const auto light = illuminant_named(spectrum.standard()); !light) {
+        findings.add(field + ".standard", light.error().message);
       }
       break;
     case v1::Spectrum::kFile:
@@ -154,6 +152,9 @@ void check_spectrum(const v1::Spectrum& spectrum, const std::string& field, Spec
   }
   if (!spectrum.entry().empty() && spectrum.source_case() != v1::Spectrum::kFile) {
     findings.add(field + ".entry", "entry is for spectra from a file");
+  }
+  if (spectrum.has_reading() && spectrum.source_case() != v1::Spectrum::kFile) {
+    findings.add(field + ".reading", "reading is for spectra from a file");
   }
   check_lines(spectrum, field + ".line", role, findings);
   if (findings.size() == before) check_interpolation(spectrum, field + ".interpolation", findings);

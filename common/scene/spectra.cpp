@@ -2,14 +2,15 @@
 #include <map>
 #include <utility>
 
+#include "common/color/illuminants.h"
 #include "common/scene/check_spectrum.h"
 #include "common/scene/findings.h"
 #include "common/scene/interpolated.h"
 #include "common/scene/limits.h"
 #include "common/scene/names.h"
+#include "common/scene/reading.h"
 #include "common/scene/settings.h"
 #include "common/scene/validate.h"
-#include "common/spectral/cie.h"
 #include "common/spectral/files/observer_file.h"
 #include "common/spectral/files/spectrum_file.h"
 #include "common/spectral/lines.h"
@@ -18,12 +19,12 @@ namespace metamer {
 
 namespace {
 
-using Spectra = Result<std::vector<NamedSpectrum>>;
+using File = Result<SpectrumFile>;
 
-Spectra read_spectra(const std::string& name, const AssetReader& assets) {
-  const auto bytes = assets(name);
+File read_file_of(const v1::Spectrum& message, const AssetReader& assets) {
+  const auto bytes = assets(message.file());
   if (!bytes) return tl::unexpected(bytes.error());
-  return parse_spectra(*bytes, name);
+  return read_spectrum_file(*bytes, message.file(), reading_of(message.reading()).unit);
 }
 
 tl::unexpected<Problem> at(const std::string& field, Problem problem) {
@@ -31,12 +32,17 @@ tl::unexpected<Problem> at(const std::string& field, Problem problem) {
   return tl::unexpected(std::move(problem));
 }
 
+/// The file of a message and its entry, for people.
+std::string which_of(const v1::Spectrum& message) {
+  return message.entry().empty()
+             ? quoted(message.file())
+             : "entry " + quoted(message.entry()) + " of " + quoted(message.file());
+}
+
 /// Finds a value out of the role's range in a spectrum from a file.
 Result<Spectrum> check_role(Spectrum spectrum, const v1::Spectrum& message,
                             const std::string& field, SpectrumRole role) {
-  const std::string which = message.entry().empty() ? quoted(message.file())
-                                                    : "entry " + quoted(message.entry()) + " of " +
-                                                          quoted(message.file());
+  const std::string which = which_of(message);
   for (std::size_t i = 0; i < spectrum.nm.size(); ++i) {
     const std::string wrong = value_fault(spectrum.values[i], role);
     if (wrong.empty()) continue;
@@ -52,17 +58,6 @@ Result<Spectrum> check_role(Spectrum spectrum, const v1::Spectrum& message,
   return spectrum;
 }
 
-Result<Spectrum> choose(const Spectra& spectra, const v1::Spectrum& message,
-                        const std::string& field, SpectrumRole role) {
-  if (!spectra) return at(field + ".file", spectra.error());
-  auto chosen = select_entry(*spectra, message.entry());
-  if (!chosen) {
-    const bool named = !message.entry().empty();
-    return at(field + (named ? ".entry" : ".file"), std::move(chosen.error()));
-  }
-  return check_role(*std::move(chosen), message, field, role);
-}
-
 /// What measured data are between their samples.
 Result<Spectrum> between_samples(Result<Spectrum> samples, const v1::Spectrum& message,
                                  const std::string& field, SpectrumRole role) {
@@ -70,6 +65,27 @@ Result<Spectrum> between_samples(Result<Spectrum> samples, const v1::Spectrum& m
   auto curve = interpolated(*samples, interpolation_of(message), role);
   if (!curve) return at(field + ".interpolation", std::move(curve.error()));
   return std::move(curve->spectrum);
+}
+
+/// The spectrum of a file that a message asks for, as its role needs it.
+Result<NotedSpectrum> choose(const File& file, const v1::Spectrum& message,
+                             const std::string& field, SpectrumRole role) {
+  if (!file) return at(field + ".file", file.error());
+  auto chosen = select_entry(file->spectra, message.entry());
+  if (!chosen) {
+    const bool named = !message.entry().empty();
+    return at(field + (named ? ".entry" : ".file"), std::move(chosen.error()));
+  }
+  auto read = as_role(*file, *std::move(chosen), reading_of(message.reading()), role);
+  if (!read) {
+    read.error().message = which_of(message) + ": " + read.error().message;
+    return at(field + ".file", std::move(read.error()));
+  }
+  auto curve = between_samples(check_role(std::move(read->spectrum), message, field, role), message,
+                               field, role);
+  if (!curve) return tl::unexpected(std::move(curve.error()));
+  for (std::string& note : read->notes) note = which_of(message) + ": " + note;
+  return NotedSpectrum{*std::move(curve), std::move(read->notes)};
 }
 
 /// An emission with its lines; `continuum` may have no samples.
@@ -81,35 +97,43 @@ Spectrum with_lines_of(const v1::Spectrum& message, Spectrum continuum) {
 }
 
 /// The source of a message, as it is used; without samples where it has lines alone.
-Result<Spectrum> load_source(const v1::Spectrum& message, const std::string& field,
-                             SpectrumRole role, const AssetReader& assets) {
+Result<NotedSpectrum> load_source(const v1::Spectrum& message, const std::string& field,
+                                  SpectrumRole role, const AssetReader& assets) {
+  const auto silent = [](Spectrum&& spectrum) { return NotedSpectrum{std::move(spectrum)}; };
   switch (message.source_case()) {
     case v1::Spectrum::kStandard:
-      return *cie::illuminant(message.standard());
+      return illuminant_named(message.standard()).map(silent);
     case v1::Spectrum::kConstant:
-      return Spectrum{{limits::min_wavelength, limits::max_wavelength},
-                      {message.constant(), message.constant()}};
+      return silent({{limits::min_wavelength, limits::max_wavelength},
+                     {message.constant(), message.constant()}});
     case v1::Spectrum::kSamples:
-      return between_samples(to_spectrum(message.samples()), message, field, role);
+      return between_samples(to_spectrum(message.samples()), message, field, role).map(silent);
     case v1::Spectrum::kFile:
-      return between_samples(choose(read_spectra(message.file(), assets), message, field, role),
-                             message, field, role);
+      return choose(read_file_of(message, assets), message, field, role);
     case v1::Spectrum::SOURCE_NOT_SET:
       break;
   }
-  return Spectrum{};
+  return NotedSpectrum{};
 }
 
 }  // namespace
 
-Result<Spectrum> load_spectrum(const v1::Spectrum& message, const std::string& field,
-                               SpectrumRole role, const AssetReader& assets) {
+Result<NotedSpectrum> load_noted_spectrum(const v1::Spectrum& message, const std::string& field,
+                                          SpectrumRole role, const AssetReader& assets) {
   // Whatever can be seen without the file is checked in one place.
   Findings findings;
   check_spectrum(message, field, role, findings);
   if (findings.size() > 0) return tl::unexpected(findings.take().front());
-  return load_source(message, field, role, assets).map([&](Spectrum&& source) {
-    return with_lines_of(message, std::move(source));
+  return load_source(message, field, role, assets).map([&](NotedSpectrum&& source) {
+    return NotedSpectrum{with_lines_of(message, std::move(source.spectrum)),
+                         std::move(source.notes)};
+  });
+}
+
+Result<Spectrum> load_spectrum(const v1::Spectrum& message, const std::string& field,
+                               SpectrumRole role, const AssetReader& assets) {
+  return load_noted_spectrum(message, field, role, assets).map([](NotedSpectrum&& noted) {
+    return std::move(noted.spectrum);
   });
 }
 
@@ -124,22 +148,24 @@ Result<Observer> load_observer(const v1::Settings& settings, const std::string& 
 }
 
 std::vector<Problem> validate_spectra(const v1::Scene& scene, const AssetReader& assets) {
-  std::map<std::string, Spectra> read;
+  // A file is read once in each unit, however many entries are used, and that it can't be read is
+  // reported once.
+  std::map<std::pair<std::string, int>, File> read;
   Findings findings;
-  for_each_spectrum(scene, [&](const v1::Spectrum& message, const std::string& field,
-                               SpectrumRole role) {
-    Result<Spectrum> spectrum = problem("");
-    if (message.source_case() == v1::Spectrum::kFile) {
-      // Read a file once, however many entries are used, and report once that it can't be read.
-      auto [file, is_new] = read.try_emplace(message.file(), problem(""));
-      if (is_new) file->second = read_spectra(message.file(), assets);
-      if (!is_new && !file->second) return;
-      spectrum = between_samples(choose(file->second, message, field, role), message, field, role);
-    } else {
-      spectrum = load_spectrum(message, field, role, assets);
-    }
-    if (!spectrum) findings.add(std::move(spectrum.error()));
-  });
+  for_each_spectrum(
+      scene, [&](const v1::Spectrum& message, const std::string& field, SpectrumRole role) {
+        Result<NotedSpectrum> spectrum = problem("");
+        if (message.source_case() == v1::Spectrum::kFile) {
+          auto [file, is_new] =
+              read.try_emplace({message.file(), message.reading().unit()}, problem(""));
+          if (is_new) file->second = read_file_of(message, assets);
+          if (!is_new && !file->second) return;
+          spectrum = choose(file->second, message, field, role);
+        } else {
+          spectrum = load_noted_spectrum(message, field, role, assets);
+        }
+        if (!spectrum) findings.add(std::move(spectrum.error()));
+      });
   if (auto observer = load_observer(scene.settings(), "settings", assets); !observer)
     findings.add(std::move(observer.error()));
   return findings.take();

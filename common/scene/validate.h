@@ -36,6 +36,14 @@ enum class SpectrumRole {
 Result<Spectrum> load_spectrum(const v1::Spectrum& message, const std::string& field,
                                SpectrumRole role, const AssetReader& assets);
 
+/// The same with what its file was taken for where nobody says it: a sentence each.
+struct NotedSpectrum {
+  Spectrum spectrum;
+  std::vector<std::string> notes = {};
+};
+Result<NotedSpectrum> load_noted_spectrum(const v1::Spectrum& message, const std::string& field,
+                                          SpectrumRole role, const AssetReader& assets);
+
 /// The observer that settings stand for, `field` being theirs: one of the CIE's, or that of
 /// observer_file (parse_observer), which is the asset's name.
 Result<Observer> load_observer(const v1::Settings& settings, const std::string& field,

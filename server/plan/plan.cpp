@@ -166,6 +166,11 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
 
   for (const Supported& supported : supporters(settings.method(), capabilities))
     notice_unsupported(needs, supported, plan);
+  for (const RenderScene::Notice& told : scene.notices) {
+    v1::Notice* notice = plan.add_notice();
+    notice->set_field(told.field);
+    notice->set_message(told.message);
+  }
   notice_skipped_faces(scene, plan);
   notice_objects(scene, plan);
   notice_cut_observer(scene, plan);

@@ -172,13 +172,18 @@ class Compiler {
     const auto [place, is_new] =
         known.try_emplace(message.SerializeAsString(), static_cast<std::uint32_t>(spectra.size()));
     if (is_new) {
-      auto loaded = load_spectrum(message, field, role, assets_);
+      auto loaded = load_noted_spectrum(message, field, role, assets_);
       if (!loaded) problems_.push_back(std::move(loaded.error()));
-      Spectrum own = loaded ? std::move(*loaded) : Spectrum{{550}, {0}};
+      if (loaded) note(loaded->notes, field);
+      Spectrum own = loaded ? std::move(loaded->spectrum) : Spectrum{{550}, {0}};
       spectra.push_back(emission ? as_emission(std::move(own)) : std::move(own));
       fields.push_back(field);
     }
     return place->second;
+  }
+
+  void note(const std::vector<std::string>& notes, const std::string& field) {
+    for (const std::string& message : notes) result_.notices.push_back({field, message});
   }
 
   void object(int index) {

@@ -91,6 +91,12 @@ struct RenderScene {
   /// The field of the scene that a spectrum was first named in: "material[3].diffuse".
   std::vector<std::string> emission_fields, property_fields, constants_fields;
 
+  /// What files were taken for where nobody says it.
+  struct Notice {
+    std::string field, message;
+  };
+  std::vector<Notice> notices;
+
   std::uint64_t triangle_count() const {
     std::uint64_t n = 0;
     for (const auto& mesh : meshes) n += mesh.triangles.size();

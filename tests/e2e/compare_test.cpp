@@ -100,7 +100,8 @@ TEST_F(CompareCommand, RefusesWhatMakesNoSense) {
     return ended.err;
   };
   EXPECT_EQ(refused({"compare", a, b, "--white", "D66"}),
-            "error: --white: no illuminant named \"D66\"; did you mean \"D65\"?\n");
+            "error: --white: there is no file, CIE illuminant or test colour \"D66\"; did you mean "
+            "\"D65\"?\n");
   EXPECT_EQ(refused({"compare", a, b, "--white", "1,2"}),
             "error: --white: \"1,2\" is not X,Y,Z, such as 0.95,1,1.09\n");
   EXPECT_EQ(refused({"compare", a, b, "--white", "1,0,1"}),

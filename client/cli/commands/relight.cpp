@@ -64,14 +64,6 @@ std::optional<Swap> parse_swap(const std::string& option, const std::string& wha
   return std::nullopt;
 }
 
-std::optional<Spectrum> load(const std::string& spectrum, const char* kind, Report& report) {
-  SpectraOptions options;
-  options.kind = kind;
-  auto loaded = load_one(options, spectrum, report);
-  if (!loaded) return std::nullopt;
-  return loaded->spectrum();
-}
-
 bool swap_light(const std::string& text, std::set<std::string>& named, v1::SceneFactors& scene,
                 Report& report) {
   std::vector<std::string> names = names_of(scene.light());
@@ -83,7 +75,7 @@ bool swap_light(const std::string& text, std::set<std::string>& named, v1::Scene
     report.error(about + " is a reflectance, no light");
     return false;
   }
-  const auto power = load(swap->spectrum, "emission", report);
+  const auto power = load_for(Use::emission, swap->spectrum, report);
   if (!power) return false;
   if (const std::string fault = client::emission_fault(*power); !fault.empty()) {
     report.error(about + ": " + fault);
@@ -100,7 +92,7 @@ bool swap_material(const std::string& text, std::set<std::string>& named, const 
   for (const auto& [name, property] : properties) names.push_back(name);
   const auto swap = parse_swap("--material", "material", text, names, named, report);
   if (!swap) return false;
-  const auto reflectance = load(swap->spectrum, "reflectance", report);
+  const auto reflectance = load_for(Use::property, swap->spectrum, report);
   if (!reflectance) return false;
   if (const std::string fault = client::reflectance_fault(*reflectance); !fault.empty()) {
     report.error("--material: " + metamer::quoted(swap->spectrum) + ": " + fault);

@@ -40,7 +40,7 @@ ResampledSpectrum resampled(const LoadedSpectrum& one, const Wavelengths& wavele
 
 Result<NormalizedSpectrum> normalized(const LoadedSpectrum& one, const Observer& observer,
                                       double luminance) {
-  if (!one.emission)
+  if (!one.emission())
     return problem(quoted(one.label) +
                    " is taken for a reflectance, which has no luminance of its own");
   const double factor = luminance / emission_xyz(one.spectrum(), observer)[1];

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "common/color/illuminants.h"
 #include "common/scene/files.h"
 #include "common/spectral/cie.h"
 #include "common/spectral/files/encoding.h"
@@ -13,12 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool looks_like_reflectance(const Spectrum& spectrum) {
-  return std::all_of(spectrum.values.begin(), spectrum.values.end(),
-                     [](double value) { return value >= 0 && value <= 1; });
-}
-
-tl::unexpected<Problem> no_such(const std::string& word) {
+tl::unexpected<Problem> no_such(const std::string& word, const Problem& light) {
+  // What is almost a temperature is told so.
+  if (light.message.find("out of range") != std::string::npos) return problem(light.message);
   std::vector<std::string> known = cie::illuminant_names();
   known.insert(known.end(), cie::test_color_names().begin(), cie::test_color_names().end());
   return problem("there is no file, CIE illuminant or test colour " + metamer::quoted(word) +
@@ -33,33 +31,47 @@ std::string printable(std::string text) {
 }
 
 /// The spectra of a file. `source` is its text, for the line of an error.
-Result<std::vector<LoadedSpectrum>> read_spectra(const std::string& file, std::string& source) {
-  Result<std::string> text = read_file(file, max_spectrum_file);
-  if (!text) return tl::unexpected(std::move(text.error()));
-  source = utf8_text(*text, file).value_or(*text);
-  return parse_spectra(*text, file).map([&](std::vector<NamedSpectrum>&& spectra) {
-    std::vector<LoadedSpectrum> loaded;
-    for (NamedSpectrum& one : spectra)
-      loaded.push_back(
-          {.label = printable(one.name.empty() ? file : file + ": " + one.name),
-           .name = printable(one.name.empty() ? fs::path(file).stem().string() : one.name),
-           .emission = !looks_like_reflectance(one.spectrum),
-           .samples = std::move(one.spectrum)});
-    return loaded;
-  });
+Result<std::vector<LoadedSpectrum>> read_spectra(const std::string& name,
+                                                 const SpectrumChoice& choice,
+                                                 std::string& source) {
+  Result<std::string> bytes = read_file(name, max_spectrum_file);
+  if (!bytes) return tl::unexpected(std::move(bytes.error()));
+  source = utf8_text(*bytes, name).value_or(*bytes);
+  auto file = read_spectrum_file(*bytes, name, choice.reading.unit);
+  if (!file) return tl::unexpected(std::move(file.error()));
+  std::vector<LoadedSpectrum> loaded;
+  for (NamedSpectrum& one : file->spectra) {
+    const std::string label = printable(one.name.empty() ? name : name + ": " + one.name);
+    auto taken = interpret(*file, std::move(one.spectrum), choice.reading, choice.use);
+    if (!taken) return problem(label + ": " + taken.error().message);
+    loaded.push_back(
+        {.label = label,
+         .name = printable(one.name.empty() ? fs::path(name).stem().string() : one.name),
+         .quantity = taken->quantity,
+         .samples = std::move(taken->spectrum),
+         .format = file->format,
+         .notes = std::move(taken->notes)});
+  }
+  return loaded;
 }
 
-Result<std::vector<LoadedSpectrum>> find_spectra(const std::string& word, std::string& source) {
+Result<std::vector<LoadedSpectrum>> find_spectra(const std::string& word,
+                                                 const SpectrumChoice& choice,
+                                                 std::string& source) {
   std::error_code error;
-  if (fs::exists(word, error)) return read_spectra(word, source);
-  const Spectrum* light = cie::illuminant(word);
-  const Spectrum* paint = cie::test_color(word);
-  if (light == nullptr && paint == nullptr) return no_such(word);
-  return std::vector<LoadedSpectrum>{{.label = word,
-                                      .name = word,
-                                      .emission = light != nullptr,
-                                      .samples = light != nullptr ? *light : *paint,
-                                      .cie_table = true}};
+  if (fs::exists(word, error)) return read_spectra(word, choice, source);
+  LoadedSpectrum one{
+      .label = word, .name = word, .quantity = Quantity::emission, .samples = {}, .computed = true};
+  if (const Spectrum* paint = cie::test_color(word)) {
+    one.quantity = Quantity::reflectance;
+    one.samples = *paint;
+  } else if (auto light = illuminant_named(word)) {
+    one.samples = std::move(*light);
+  } else {
+    return no_such(word, light.error());
+  }
+  if (choice.reading.as) one.quantity = *choice.reading.as;
+  return std::vector{std::move(one)};
 }
 
 /// A word, and the entry that it asks for: FILE#ENTRY, where there is no file of the whole name.
@@ -77,11 +89,11 @@ tl::unexpected<SpectrumFault> bad_choice(std::string message) {
 
 /// All spectra of a word, or the one of that name.
 SpectrumResult<std::vector<LoadedSpectrum>> load_word(const std::string& word,
-                                                      std::optional<std::string> entry) {
+                                                      const SpectrumChoice& choice) {
   const auto [file, own_entry] = split_entry(word);
-  if (own_entry) entry = own_entry;
+  const std::optional<std::string> entry = own_entry ? own_entry : choice.entry;
   std::string source;
-  Result<std::vector<LoadedSpectrum>> found = find_spectra(file, source);
+  Result<std::vector<LoadedSpectrum>> found = find_spectra(file, choice, source);
   if (!found)
     return tl::unexpected<SpectrumFault>(
         {.problem = std::move(found.error()), .source = std::move(source)});
@@ -96,7 +108,7 @@ SpectrumResult<std::vector<LoadedSpectrum>> load_word(const std::string& word,
 
 /// Takes a file's samples for what they are; a table of the CIE's is as it is.
 SpectrumResult<void> interpolate(LoadedSpectrum& one, std::optional<Interpolation> asked) {
-  if (one.cie_table) return {};
+  if (one.computed) return {};
   auto curve = interpolated(one.samples, asked, one.role());
   if (!curve) return bad_choice(one.label + ": " + curve.error().message);
   one.curve = std::move(*curve);
@@ -109,10 +121,9 @@ SpectrumResult<std::vector<LoadedSpectrum>> load_spectra(const std::vector<std::
                                                          const SpectrumChoice& choice) {
   std::vector<LoadedSpectrum> all;
   for (const std::string& word : words) {
-    auto loaded = load_word(word, choice.entry);
+    auto loaded = load_word(word, choice);
     if (!loaded) return tl::unexpected(std::move(loaded.error()));
     for (LoadedSpectrum& one : *loaded) {
-      if (choice.kind) one.emission = *choice.kind == SpectrumKind::emission;
       if (auto done = interpolate(one, choice.interpolation); !done)
         return tl::unexpected(std::move(done.error()));
       all.push_back(std::move(one));
@@ -128,6 +139,18 @@ SpectrumResult<LoadedSpectrum> load_one(const std::string& word, const SpectrumC
   return bad_choice(metamer::quoted(word) + " has " + std::to_string(loaded->size()) +
                     " spectra; choose one, such as " +
                     metamer::quoted(word + "#" + loaded->front().name));
+}
+
+Result<Spectrum> light_named(const std::string& word, const std::string& option) {
+  auto light = load_one(word, {.use = Use::emission});
+  if (!light) {
+    Problem& problem = light.error().problem;
+    if (problem.line == 0) problem.message = option + ": " + problem.message;
+    return tl::unexpected(std::move(problem));
+  }
+  if (!light->emission())
+    return problem(option + ": " + metamer::quoted(word) + " is a reflectance, no light");
+  return light->spectrum();
 }
 
 std::string emission_fault(const Spectrum& spectrum) {

@@ -7,37 +7,40 @@
 #include "common/color/table_weights.h"
 #include "common/problem.h"
 #include "common/scene/interpolated.h"
+#include "common/spectral/files/interpret.h"
 #include "common/spectral/files/spectra_text.h"
 
 /// Spectra by the names of files and of the CIE's tables.
 namespace metamer::client {
 
-enum class SpectrumKind { emission, reflectance };
-
 struct LoadedSpectrum {
   std::string label;        ///< For people: "D65", "paints.sp: red".
   std::string name;         ///< For a file: the entry's name, else the file's without its folder.
-  bool emission;            ///< A light; else a reflectance.
+  Quantity quantity;        ///< What it was taken for.
   Spectrum samples;         ///< As measured: what is written again.
   Interpolated curve = {};  ///< What the samples are taken for; where linear, the samples.
-  bool cie_table = false;   ///< Of which the CIE says what it is between its samples.
+  bool computed = false;    ///< By formula or the CIE's table, which say what is between samples.
+  std::string format = {};  ///< Of a file: "CGATS".
+  std::vector<std::string> notes = {};  ///< What was guessed or changed, a sentence each.
 
+  bool emission() const { return quantity == Quantity::emission; }
   const Spectrum& spectrum() const {
     return curve.interpolation == Interpolation::linear ? samples : curve.spectrum;
   }
   /// What it is where it has no data.
-  Outside outside() const { return emission ? Outside::zero : Outside::hold; }
+  Outside outside() const { return emission() ? Outside::zero : Outside::hold; }
   /// ASTM's weights are made for samples, and are an interpolation of their own.
   const Spectrum& seen_by(TableWeights weights) const {
     return weights == TableWeights::astm ? samples : spectrum();
   }
-  SpectrumRole role() const { return emission ? SpectrumRole::emission : SpectrumRole::property; }
+  SpectrumRole role() const { return emission() ? SpectrumRole::emission : SpectrumRole::property; }
 };
 
 /// What is asked for of files.
 struct SpectrumChoice {
   std::optional<std::string> entry = {};  ///< The one of that name; nothing: all of them.
-  std::optional<SpectrumKind> kind = {};  ///< What they are; nothing: as load_spectra guesses.
+  Reading reading = {};                   ///< How they are to be read.
+  Use use = Use::any;                     ///< What they are needed for.
   /// What they are between their samples; nothing: as in a scene that says nothing.
   std::optional<Interpolation> interpolation = {};
 };
@@ -52,15 +55,17 @@ struct SpectrumFault {
 template <class T>
 using SpectrumResult = tl::expected<T, SpectrumFault>;
 
-/// The spectra of a file, or the CIE illuminant or test colour of that name where there is no such
-/// file; FILE#ENTRY is the entry of a file. A file's spectrum is taken for a reflectance where all
-/// its values lie in 0..1, else for an emission, unless `choice` says which; it is interpolated as
-/// one of a scene. The CIE's are straight lines, as CIE 15 has them. The error is that of the first
-/// word that has one.
+/// The spectra of a file, or the illuminant (illuminant_named) or test colour of that name where
+/// there is no such file; FILE#ENTRY is the entry of a file. A file's spectrum is read, taken for
+/// what it is (interpret) and interpolated as one of a scene. The CIE's are straight lines, as CIE
+/// 15 has them. The error is that of the first word that has one.
 SpectrumResult<std::vector<LoadedSpectrum>> load_spectra(const std::vector<std::string>& words,
                                                          const SpectrumChoice& choice = {});
 /// The same, where only one will do.
 SpectrumResult<LoadedSpectrum> load_one(const std::string& word, const SpectrumChoice& choice = {});
+
+/// A light by a word of load_spectra. `option` is what the error begins with.
+Result<Spectrum> light_named(const std::string& word, const std::string& option);
 
 /// What keeps a spectrum from being a light's: power below 0. Empty: nothing.
 std::string emission_fault(const Spectrum& spectrum);

@@ -37,7 +37,7 @@ Result<SpectrumFacts> spectrum_facts(const LoadedSpectrum& one, const Spectrum& 
   const Spectrum& samples = one.samples;
   const auto [least, most] = std::minmax_element(samples.values.begin(), samples.values.end());
   SpectrumFacts facts{samples.nm.front(), samples.nm.back(), samples.nm.size(), *least, *most, {}};
-  if (one.emission) {
+  if (one.emission()) {
     facts.look = emission_facts(one.spectrum(), observer);
     return facts;
   }

@@ -9,7 +9,7 @@ namespace {
 /// X Y Z of a light of luminance 1, or of a reflectance under it.
 Result<Xyz> tristimulus(const LoadedSpectrum& one, const Spectrum& light, const Observer& observer,
                         TableWeights weights) {
-  if (one.emission) return white_of(light, observer);
+  if (one.emission()) return white_of(light, observer);
   const Spectrum& spectrum = one.seen_by(weights);
   return weights_under(weights, observer, light, spectrum.nm).map([&](const ObserverWeights& lit) {
     return to_xyz(lit, spectrum.values);
@@ -29,7 +29,7 @@ Result<PlannedDevelopment> developing_under(const Xyz& white, const v1::Developm
 Result<SpectrumRgb> spectrum_rgb(const LoadedSpectrum& one, const Spectrum& light,
                                  const Observer& observer, double luminance,
                                  const v1::Development& development, TableWeights weights) {
-  const Spectrum& shining = one.emission ? one.spectrum() : light;
+  const Spectrum& shining = one.emission() ? one.spectrum() : light;
   const Xyz white = white_of(shining, observer);
   auto planned = developing_under(white, development);
   if (!planned) return tl::unexpected(std::move(planned.error()));

@@ -32,7 +32,8 @@ class Tall {
   Row first_row_;
   std::vector<Row> headings_;  ///< Lines above it with as many cells.
   std::size_t position_ = 0;   ///< The column of the wavelengths.
-  bool labelled_ = false;      ///< Rows are called after their wavelengths, among other rows.
+  /// Rows are called after their wavelengths, among other rows: a spectrometer for lamps.
+  bool labelled_ = false;
   Contents contents_;
 };
 
@@ -161,6 +162,7 @@ Result<Contents> Tall::read() {
   if (spectra.size() == 1 && contents_.spectra.size() == 1) spectra.front().name.clear();
   contents_.spectra = std::move(spectra);
   contents_.format = format();
+  if (labelled_ && !contents_.quantity) contents_.quantity = Quantity::emission;
   return std::move(contents_);
 }
 

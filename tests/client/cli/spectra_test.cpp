@@ -66,9 +66,10 @@ TEST_F(Spectra, InfoForPeople) {
   const Said said = say({"spectra", "info", write("grey.sp", "400 700 100\n0.5\n0.5\n0.5\n0.5\n")});
   ASSERT_EQ(said.code, ExitCode::done) << said.err;
   EXPECT_EQ(said.out, file("grey.sp") +
-                          ": reflectance\n"
+                          ": reflectance, read as uniform samples\n"
                           "  range        400 to 700 nm, 4 samples, straight lines between them\n"
                           "  values       0.5 to 0.5\n"
+                          "  note         taken for a reflectance, as its values lie in 0..1\n"
                           "  luminance    0.5 of white under D65\n"
                           "  chromaticity x 0.31273, y 0.32903; u' 0.19784, v' 0.46834\n"
                           "  L*a*b*       76.07 0.00 0.00\n");
@@ -155,7 +156,9 @@ TEST_F(Spectra, AsSaysWhatAFileIs) {
   words.insert(words.end(), {"--as", "emission"});
   EXPECT_EQ(say(words).json()["spectra"][0]["kind"], "emission");
   words.back() = "light";
-  EXPECT_EQ(say(words).err, "error: --as: \"light\" is neither emission nor reflectance\n");
+  EXPECT_EQ(say(words).err,
+            "--as: light not in {reflectance,transmittance,emission}\nRun with --help for more "
+            "information.\n");
 }
 
 TEST_F(Spectra, ResamplingTellsASpikeThatItMisses) {
@@ -304,6 +307,63 @@ TEST_F(Spectra, OneOfSeveralIsChosenByItsName) {
   EXPECT_EQ(say(words).out, "400 1\n700 0\n");
   words.back() = "green";
   EXPECT_EQ(say(words).err, "error: \"" + both + "\" has no spectrum named \"green\"\n");
+}
+
+TEST_F(Spectra, CompareNamesThePaintThatMatches) {
+  const std::string fabrics = write("fabrics.csv",
+                                    "Wavelength [nm];Wool [%];Linen [%]\n400;20;5,5\n500;30;30\n"
+                                    "600;40;60\n700;50;70\n");
+  const std::string sample = write("sample.txt", "400 0.2\n500 0.31\n600 0.4\n700 0.5\n");
+  const std::string swatches = file("swatches.png");
+  const Said said = say({"spectra", "compare", sample, fabrics, "--under", "D65,2856K,D:5003K,F11",
+                         "-o", swatches, "--json"});
+  ASSERT_EQ(said.code, ExitCode::done) << said.err;
+  const Json answer = said.json();
+  ASSERT_EQ(answer["candidates"].size(), 2U);
+  EXPECT_EQ(answer["candidates"][0]["under"].size(), 4U);
+  EXPECT_EQ(answer["nearest"], fabrics + ": Wool [%]");
+  EXPECT_LT(answer["candidates"][0]["worst"]["de00"].get<double>(), 3);
+  EXPECT_GT(answer["candidates"][1]["worst"]["de00"].get<double>(), 10);
+  EXPECT_NEAR(answer["candidates"][1]["under"][0]["metamerism_de00"].get<double>(), 0, 1e-9);
+  EXPECT_TRUE(fs::exists(swatches));
+
+  EXPECT_EQ(say({"spectra", "compare", sample, fabrics, "--max", "3"}).code, ExitCode::done);
+  const Said over = say({"spectra", "compare", sample, fabrics, "--max", "0.01"});
+  EXPECT_EQ(over.code, ExitCode::other);
+  EXPECT_NE(over.out.find("is nearest to"), std::string::npos);
+}
+
+TEST_F(Spectra, CompareSaysWhatItCannotCompare) {
+  const std::string paint = write("a.txt", "400 0.2\n700 0.5\n");
+  EXPECT_EQ(say({"spectra", "compare", paint}).code, ExitCode::bad_input);
+  EXPECT_EQ(say({"spectra", "compare", paint, "TCS99"}).code, ExitCode::bad_input);
+  EXPECT_EQ(say({"spectra", "compare", paint, "TCS01", "--under", "D66"}).code,
+            ExitCode::bad_input);
+  EXPECT_EQ(say({"spectra", "compare", paint, "TCS01", "-o", "a.exr"}).code, ExitCode::bad_input);
+  EXPECT_EQ(say({"spectra", "compare", paint, "TCS01", "--as", "emission"}).code,
+            ExitCode::bad_input);
+}
+
+TEST_F(Spectra, InfoSaysWhatAFileWasTakenFor) {
+  const std::string percent = write("percent.csv", "nm,R\n400,20\n500,50\n600,80\n");
+  const Json guessed = say({"spectra", "info", percent, "--as", "reflectance", "--json"}).json();
+  EXPECT_EQ(guessed["spectra"][0]["format"], "a table with commas");
+  EXPECT_EQ(guessed["spectra"][0]["notes"][0], "taken for percents, as its values reach 80");
+  EXPECT_EQ(guessed["spectra"][0]["max"], 0.8);
+  const Json said =
+      say({"spectra", "info", percent, "--as", "reflectance", "--scale", "percent", "--json"})
+          .json();
+  EXPECT_FALSE(said["spectra"][0].contains("notes"));
+
+  const std::string gold = write("gold.txt", "0.4 0.5\n0.5 0.6\n0.6 0.7\n");
+  const Said unsaid = say({"spectra", "info", gold});
+  EXPECT_EQ(unsaid.code, ExitCode::bad_input);
+  EXPECT_NE(unsaid.err.find("look like µm"), std::string::npos) << unsaid.err;
+  EXPECT_EQ(say({"spectra", "info", gold, "--unit", "um", "--json"}).json()["spectra"][0]["from"],
+            400);
+
+  const std::string noisy = write("noisy.txt", "400 -0.01\n500 20\n600 30\n");
+  EXPECT_EQ(say({"spectra", "info", noisy, "--clamp", "--json"}).json()["spectra"][0]["min"], 0);
 }
 
 }  // namespace

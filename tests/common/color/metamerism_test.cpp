@@ -120,5 +120,43 @@ TEST(MakeMetamer, OfWhatHasNoneIsAnError) {
             "a reflectance lies in 0..1 (at 500 nm it is 1.5)");
 }
 
+TEST(MetamerismIndex, IsNoneUnderTheReferenceAndForGreys) {
+  const auto greys = metamerism({{500}, {0.5}}, {{500}, {0.2}}, cie_lights(), cie::observer_1931());
+  ASSERT_TRUE(greys);
+  for (const Mismatch& test : *greys) {
+    // Two greys part under no light: what they differ by is the same under each.
+    const MetamerismIndex index = metamerism_index(greys->front(), test);
+    EXPECT_NEAR(index.de00, 0, 1e-9) << test.light;
+    EXPECT_NEAR(index.deab, 0, 1e-9) << test.light;
+  }
+}
+
+TEST(MetamerismIndex, OfAMatchedPairIsItsDifference) {
+  // By hand: white 1, one 0.25 under both; the other 0.25 under the first, 0.5, 0.25, 0.25 then.
+  const Mismatch reference{.light = "a",
+                           .one = {0.25, 0.25, 0.25},
+                           .other = {0.25, 0.25, 0.25},
+                           .white = {1, 1, 1},
+                           .de00 = 0,
+                           .deab = 0,
+                           .deuv = 0};
+  Mismatch test = reference;
+  test.other = {0.5, 0.25, 0.25};
+  const double da = 500 * (std::cbrt(0.5) - std::cbrt(0.25));
+  EXPECT_NEAR(metamerism_index(reference, test).deab, da, 1e-9);
+
+  // Twice as much of all under both lights: the pair does not match under the first, and is
+  // corrected.
+  Mismatch brighter = reference, brighter_test = test;
+  for (double& value : brighter.other) value *= 2;
+  for (double& value : brighter_test.other) value *= 2;
+  EXPECT_NEAR(metamerism_index(brighter, brighter_test).deab, da, 1e-9);
+
+  // What reflects nothing under the first can't be made to.
+  Mismatch black = reference;
+  black.other = {0, 0, 0};
+  EXPECT_NEAR(metamerism_index(black, test).deab, da, 1e-9);
+}
+
 }  // namespace
 }  // namespace metamer

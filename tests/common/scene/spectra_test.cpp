@@ -1,3 +1,4 @@
+#include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -114,11 +115,15 @@ TEST(SceneSpectrum, ErrorsAboutFilesStandAtTheirField) {
 TEST(SceneSpectrum, ValuesInFilesMustSuitTheirRole) {
   const Files files{.files = {{"loud.txt", "400 0.5\n500 1.25\n"}, {"neg.txt", "400 1\n500 -2\n"}},
                     .reads = {}};
-  EXPECT_EQ(error_of(from_file("loud.txt"), SpectrumRole::property, files),
-            "m.file: \"loud.txt\" has 1.25 at 500 nm; a property must lie in 0..1");
+  EXPECT_EQ(
+      error_of(from_file("loud.txt"), SpectrumRole::property, files),
+      "m.file: \"loud.txt\": a reflectance must lie in 0..1 (it is 1.25 at 500 nm): above 1 is "
+      "fluorescence, which clamp leaves out, or another scale");
   EXPECT_EQ(error_of(from_file("loud.txt"), SpectrumRole::emission, files), "");
-  EXPECT_EQ(error_of(from_file("neg.txt"), SpectrumRole::emission, files),
-            "m.file: \"neg.txt\" has -2 at 500 nm; an emission must not be negative");
+  EXPECT_EQ(
+      error_of(from_file("neg.txt"), SpectrumRole::emission, files),
+      "m.file: \"neg.txt\": an emission must not be negative (it is -2 at 500 nm); clamp makes "
+      "noise below 0 to 0");
 }
 
 TEST(SceneObserver, IsTheCiesOrThatOfItsFile) {
@@ -210,12 +215,76 @@ TEST(SceneSpectra, EveryFileIsReadOnceAndEveryProblemFound) {
   *scene.add_material()->mutable_specular() = from_file("gone.sp", "a");
   *scene.add_material()->mutable_specular() = from_file("gone.sp", "b");
   Files files{.files = {{"reds.sp", two_reds}, {"neg.txt", "400 1\n500 -2\n"}}, .reads = {}};
-  EXPECT_EQ(describe(validate_spectra(scene, files.reader())),
-            Strings({"light[0].spectrum.file: \"neg.txt\" has -2 at 500 nm; an emission must not "
-                     "be negative",
-                     "material[2].specular.file: file \"gone.sp\" is not there"}));
+  EXPECT_EQ(
+      describe(validate_spectra(scene, files.reader())),
+      Strings(
+          {"light[0].spectrum.file: \"neg.txt\": an emission must not be negative (it is -2 at 500 "
+           "nm); clamp makes noise below 0 to 0",
+           "material[2].specular.file: file \"gone.sp\" is not there"}));
   EXPECT_EQ(files.reads,
             (std::map<std::string, int>{{"gone.sp", 1}, {"neg.txt", 1}, {"reds.sp", 1}}));
+}
+
+v1::Spectrum read_as(const std::string& name, const std::string& reading) {
+  v1::Spectrum message = from_file(name);
+  google::protobuf::TextFormat::ParseFromString(reading, message.mutable_reading());
+  return message;
+}
+
+TEST(SceneSpectrum, OfAFileIsReadAsTheSceneSays) {
+  Files files{{{"percent.csv", "nm;R\n400;20\n500;50\n600;80\n"},
+               {"noisy.txt", "400 -0.25\n500 3\n600 4\n"},
+               {"gold.txt", "0.4 1.5\n0.5 1\n0.6 0.25\n"}},
+              {}};
+  const auto values = [&](const v1::Spectrum& message, SpectrumRole role) {
+    const auto read = load_spectrum(message, "m", role, files.reader());
+    return read ? read->values : std::vector<double>{};
+  };
+  EXPECT_EQ(values(read_as("percent.csv", "scale: PERCENT"), SpectrumRole::property),
+            (std::vector<double>{0.2, 0.5, 0.8}));
+  EXPECT_EQ(values(read_as("noisy.txt", "clamp: true"), SpectrumRole::emission),
+            (std::vector<double>{0, 3, 4}));
+  const auto gold =
+      load_spectrum(read_as("gold.txt", "unit: UM"), "m", SpectrumRole::index, files.reader());
+  ASSERT_TRUE(gold);
+  EXPECT_EQ(*gold, (Spectrum{{400, 500, 600}, {1.5, 1, 0.25}}));
+
+  EXPECT_EQ(error_of(read_as("percent.csv", "scale: ONE"), SpectrumRole::property, files),
+            "m.file: \"percent.csv\": a reflectance must lie in 0..1 (it is 20 at 400 nm): above 1 "
+            "is fluorescence, which clamp leaves out, or another scale");
+  EXPECT_EQ(
+      error_of(from_file("noisy.txt"), SpectrumRole::emission, files),
+      "m.file: \"noisy.txt\": an emission must not be negative (it is -0.25 at 400 nm); clamp "
+      "makes noise below 0 to 0");
+  EXPECT_EQ(
+      error_of(from_file("gold.txt"), SpectrumRole::index, files),
+      "m.file: wavelengths from 0.4 to 0.6 look like µm; say in which unit they are (um or nm)");
+  EXPECT_EQ(error_of(read_as("percent.csv", "as: EMISSION"), SpectrumRole::property, files),
+            "m.file: \"percent.csv\": it is an emission, and a reflectance or transmittance is "
+            "needed");
+}
+
+TEST(SceneSpectrum, TellsWhatItGuessedOfAFile) {
+  Files files{{{"percent.csv", "nm;R\n400;20\n500;50\n600;80\n"}}, {}};
+  const auto noted =
+      load_noted_spectrum(from_file("percent.csv"), "m", SpectrumRole::property, files.reader());
+  ASSERT_TRUE(noted);
+  EXPECT_EQ(noted->spectrum.values, (std::vector<double>{0.2, 0.5, 0.8}));
+  EXPECT_EQ(noted->notes, std::vector<std::string>{
+                              "\"percent.csv\": taken for percents, as its values reach 80"});
+}
+
+TEST(SceneSpectrum, ReadingIsForFilesAlone) {
+  EXPECT_EQ(diffuse("constant: 0.5 reading { clamp: true }"),
+            Strings({"material[0].diffuse.reading: reading is for spectra from a file"}));
+}
+
+TEST(SceneSpectrum, LightsAreNamedByTemperature) {
+  EXPECT_EQ(light_spectrum("standard: \"D:6504K\""), Strings());
+  EXPECT_EQ(light_spectrum("standard: \"2856K\""), Strings());
+  EXPECT_EQ(light_spectrum("standard: \"D:3000K\""),
+            Strings({"light[0].spectrum.standard: \"D:3000K\" is out of range: daylight may have "
+                     "4000 to 25000 K"}));
 }
 
 }  // namespace

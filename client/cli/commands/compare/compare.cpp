@@ -11,6 +11,7 @@
 #include "client/cli/report.h"
 #include "client/cli/shared_options.h"
 #include "client/tools/pictures/comparison.h"
+#include "client/tools/spectra/spectra_files.h"
 #include "client/tools/text/formatted.h"
 #include "common/color/table_weights.h"
 #include "common/image/picture_file.h"
@@ -39,12 +40,6 @@ Metric metric_of(const std::string& word) {
   return word == "deuv" ? Metric::deuv : word == "deab" ? Metric::deab : Metric::de00;
 }
 
-Result<const Spectrum*> find_illuminant(const std::string& option, const std::string& name) {
-  if (const Spectrum* found = cie::illuminant(name)) return found;
-  return problem(option + ": no illuminant named " + quoted(name) +
-                 did_you_mean(name, cie::illuminant_names()));
-}
-
 /// "0.95,1,1.09"; nothing when it is not three numbers.
 std::optional<Xyz> parse_xyz(std::string_view text) {
   Xyz xyz{};
@@ -71,8 +66,8 @@ Result<White> find_white(const CompareOptions& options, const Observer& observer
   }
   const std::string& name = options.white.empty() ? options.under : options.white;
   if (name.empty()) return client::srgb_white();
-  return find_illuminant("--white", name).transform([&](const Spectrum* found) {
-    return White{name, metamer::white_of(*found, observer)};
+  return client::light_named(name, "--white").transform([&](const Spectrum& found) {
+    return White{name, metamer::white_of(found, observer)};
   });
 }
 
@@ -139,13 +134,15 @@ std::optional<client::PicturePair> read_both(const CompareOptions& options,
                                              const Observer& observer, Report& report) {
   Viewing viewing{
       .observer = observer, .under = nullptr, .weights = *find_table_weights(options.weights)};
+  Spectrum light;
   if (!options.under.empty()) {
-    const auto under = find_illuminant("--under", options.under);
+    auto under = client::light_named(options.under, "--under");
     if (!under) {
       report.problem(under.error(), {});
       return std::nullopt;
     }
-    viewing.under = *under;
+    light = std::move(*under);
+    viewing.under = &light;
   }
   auto pictures = client::read_pair({options.a, options.b}, viewing);
   if (!pictures) {
@@ -248,11 +245,11 @@ void declare(CompareOptions& values, Options& options) {
   options.push_back(
       {.names = "--white",
        .target = &values.white,
-       .meaning = "what looks white: X,Y,Z or a CIE illuminant; else that of --under, else D65",
+       .meaning = "what looks white: X,Y,Z or a light as --under takes it; else that, else D65",
        .type = "WHITE"});
   options.push_back({.names = "--under",
                      .target = &values.under,
-                     .meaning = "the CIE illuminant that lights reflectances (T.)",
+                     .meaning = "the light of reflectances (T.): D65, D:6504K, 2856K or a file",
                      .type = "ILLUMINANT"});
   options.push_back(
       {.names = "--observer",

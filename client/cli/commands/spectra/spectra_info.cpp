@@ -54,7 +54,9 @@ void add(const ReflectanceFacts& facts, const std::string& under, Json& json) {
 Json json_of(const LoadedSpectrum& one, const SpectrumFacts& facts, const std::string& under) {
   Json json;
   json["name"] = one.label;
-  json["kind"] = one.emission ? "emission" : "reflectance";
+  json["kind"] = quantity_text(one.quantity);
+  if (!one.format.empty()) json["format"] = one.format;
+  if (!one.notes.empty()) json["notes"] = one.notes;
   json["from"] = facts.from;
   json["to"] = facts.to;
   json["samples"] = facts.samples;
@@ -111,7 +113,7 @@ std::string between(const LoadedSpectrum& one) {
     return curve + std::string(" between them, but straight lines in ") +
            std::to_string(one.curve.straight) +
            (one.curve.straight == 1 ? " stretch" : " stretches") +
-           (one.emission ? " where it goes below 0" : " where it leaves 0..1");
+           (one.emission() ? " where it goes below 0" : " where it leaves 0..1");
   };
   switch (one.curve.interpolation) {
     case Interpolation::linear:
@@ -126,11 +128,13 @@ std::string between(const LoadedSpectrum& one) {
 
 std::string text_of(const LoadedSpectrum& one, const SpectrumFacts& facts,
                     const std::string& under) {
-  std::string text = one.label + (one.emission ? ": emission" : ": reflectance") +
-                     "\n  range        " + number_text(facts.from) + " to " +
-                     number_text(facts.to) + " nm, " + std::to_string(facts.samples) +
+  std::string text = one.label + ": " + quantity_text(one.quantity) +
+                     (one.format.empty() ? "" : ", read as " + one.format) + "\n  range        " +
+                     number_text(facts.from) + " to " + number_text(facts.to) + " nm, " +
+                     std::to_string(facts.samples) +
                      (facts.samples == 1 ? " sample" : " samples, " + between(one)) +
                      "\n  values       " + digits(facts.min) + " to " + digits(facts.max);
+  for (const std::string& note : one.notes) text += "\n  note         " + note;
   if (const auto* emission = std::get_if<EmissionFacts>(&facts.look)) text += text_of(*emission);
   if (const auto* paint = std::get_if<ReflectanceFacts>(&facts.look))
     text += text_of(*paint, under);

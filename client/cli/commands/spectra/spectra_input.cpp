@@ -9,19 +9,20 @@ namespace metamer::cli {
 namespace {
 
 using client::LoadedSpectrum;
-using client::SpectrumKind;
 
-/// --entry and --as.
-std::optional<client::SpectrumChoice> choice_of(const SpectraOptions& options, Report& report) {
+/// What the options say of files. The words are among their choices.
+client::SpectrumChoice choice_of(const SpectraOptions& options) {
   client::SpectrumChoice choice{.entry = options.entry};
   if (options.interpolation) choice.interpolation = find_interpolation(*options.interpolation);
-  if (!options.kind) return choice;
-  if (*options.kind != "emission" && *options.kind != "reflectance") {
-    report.error("--as: " + metamer::quoted(*options.kind) +
-                 " is neither emission nor reflectance");
-    return std::nullopt;
-  }
-  choice.kind = *options.kind == "emission" ? SpectrumKind::emission : SpectrumKind::reflectance;
+  if (options.as)
+    choice.reading.as = *options.as == "emission"        ? Quantity::emission
+                        : *options.as == "transmittance" ? Quantity::transmittance
+                                                         : Quantity::reflectance;
+  if (options.unit)
+    choice.reading.unit = *options.unit == "um" ? WavelengthUnit::um : WavelengthUnit::nm;
+  if (options.scale)
+    choice.reading.scale = *options.scale == "percent" ? Scale::percent : Scale::one;
+  choice.reading.clamp = options.clamp;
   return choice;
 }
 
@@ -59,13 +60,26 @@ void declare_spectra(SpectraOptions& values, Options& options, bool single) {
        .meaning = "spectrum files, or names of the CIE's illuminants and test colours: D65 TCS09",
        .required = true,
        .single = single});
-  options.push_back({.names = "--entry",
+  options.push_back({.names = "--entry,--column",
                      .target = &values.entry,
                      .meaning = "of files with several spectra, the one so named"});
   options.push_back({.names = "--as",
-                     .target = &values.kind,
-                     .meaning = "emission or reflectance; a file whose values all lie in 0..1 is "
-                                "taken for a reflectance"});
+                     .target = &values.as,
+                     .meaning = "what files hold; else as they say, else a reflectance where all "
+                                "values lie in 0..1",
+                     .choices = {"reflectance", "transmittance", "emission"}});
+  options.push_back({.names = "--unit",
+                     .target = &values.unit,
+                     .meaning = "of files' wavelengths; else as they say",
+                     .choices = {"nm", "um"}});
+  options.push_back({.names = "--scale",
+                     .target = &values.scale,
+                     .meaning = "of reflectances in files; else as they say, else percent above 5",
+                     .choices = {"1", "percent"}});
+  options.push_back({.names = "--clamp",
+                     .target = &values.clamp,
+                     .meaning = "values out of 0..1, or of lights below 0, become the nearest in "
+                                "range"});
   options.push_back({.names = "--interpolation",
                      .target = &values.interpolation,
                      .meaning = "what files are between their samples; else as in a scene: a curve "
@@ -106,21 +120,23 @@ ExitCode refuse(const std::string& why, Report& report) {
 std::optional<std::vector<LoadedSpectrum>> load_spectra(const SpectraOptions& options,
                                                         const std::vector<std::string>& files,
                                                         Report& report) {
-  const auto choice = choice_of(options, report);
-  if (!choice) return std::nullopt;
-  return loaded_or_told(client::load_spectra(files, *choice), report);
+  return loaded_or_told(client::load_spectra(files, choice_of(options)), report);
 }
 
 std::optional<LoadedSpectrum> load_one(const SpectraOptions& options, const std::string& file,
                                        Report& report) {
-  const auto choice = choice_of(options, report);
-  if (!choice) return std::nullopt;
-  return loaded_or_told(client::load_one(file, *choice), report);
+  return loaded_or_told(client::load_one(file, choice_of(options)), report);
+}
+
+std::optional<Spectrum> load_for(Use use, const std::string& file, Report& report) {
+  auto loaded = loaded_or_told(client::load_one(file, {.use = use}), report);
+  if (!loaded) return std::nullopt;
+  return loaded->spectrum();
 }
 
 std::optional<Spectrum> load_light(const std::string& word, const std::string& option,
                                    Report& report) {
-  auto light = loaded_or_told(client::load_one(word, {.kind = SpectrumKind::emission}), report);
+  auto light = loaded_or_told(client::load_one(word, {.use = Use::emission}), report);
   if (!light) return std::nullopt;
   const std::string fault = client::emission_fault(light->samples);
   if (fault.empty()) return light->spectrum();

@@ -18,7 +18,10 @@ struct SpectraOptions {
   bool json = false;
   std::vector<std::string> files;
   std::optional<std::string> entry;          ///< Of files with several spectra: this one.
-  std::optional<std::string> kind;           ///< "emission", "reflectance"
+  std::optional<std::string> as;             ///< "reflectance", "transmittance", "emission"
+  std::optional<std::string> unit;           ///< "nm", "um"
+  std::optional<std::string> scale;          ///< "1", "percent"
+  bool clamp = false;                        ///< Values out of range become the nearest in it.
   std::optional<std::string> interpolation;  ///< "linear", "sprague", "monotone-cubic"
   std::string observer = "cie-1931-2deg";    ///< Or "cie-1964-10deg", or a file.
   std::string under = "D65";                 ///< The light of reflectances.
@@ -30,7 +33,7 @@ struct SpectraOutputOptions {
   std::optional<std::string> format;  ///< "pairs", "uniform", "cgats"
 };
 
-/// Files, --entry, --as, --interpolation and --json. `single`: one file.
+/// Files, --entry, how they are read, --interpolation and --json. `single`: one file.
 void declare_spectra(SpectraOptions& values, Options& options, bool single = false);
 void declare_observer(SpectraOptions& values, Options& options);
 void declare_under(SpectraOptions& values, Options& options);
@@ -42,6 +45,8 @@ std::optional<std::vector<client::LoadedSpectrum>> load_spectra(
 /// The same, where only one will do.
 std::optional<client::LoadedSpectrum> load_one(const SpectraOptions& options,
                                                const std::string& file, Report& report);
+/// One for a use: as the file says, else as the use wants it.
+std::optional<Spectrum> load_for(Use use, const std::string& file, Report& report);
 /// A light: a file, or a CIE illuminant. `option` stands in errors.
 std::optional<Spectrum> load_light(const std::string& word, const std::string& option,
                                    Report& report);

@@ -40,7 +40,7 @@ ExitCode run(const MetamerOptions& options) {
     return report.finish(ExitCode::bad_input);
   }
   SpectraOptions input = options.input;
-  input.kind = "reflectance";
+  if (!input.as) input.as = "reflectance";
   const auto original = load_one(input, input.files.front(), report);
   const auto under = load_light(input.under, "--under", report);
   const auto against = load_light(other, "--against", report);

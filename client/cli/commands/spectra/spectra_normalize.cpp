@@ -31,7 +31,8 @@ ExitCode run(const NormalizeOptions& options) {
     auto changed = client::normalized(one, *observer, options.luminance);
     if (!changed)
       return refuse(
-          changed.error().message + (one.emission ? "" : "; --as emission says otherwise"), report);
+          changed.error().message + (one.emission() ? "" : "; --as emission says otherwise"),
+          report);
     made.push_back(std::move(changed->spectrum));
     report.document()["spectra"].push_back({{"name", one.label}, {"factor", changed->factor}});
   }

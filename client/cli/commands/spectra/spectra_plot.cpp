@@ -27,7 +27,7 @@ constexpr std::array curve_colors = {"#0072B2", "#D55E00", "#009E73",
 
 /// Emissions on the left axis, reflectances on the right one, which ends at 1.
 std::string script(const std::vector<LoadedSpectrum>& spectra) {
-  const auto is_emission = [](const LoadedSpectrum& one) { return one.emission; };
+  const auto is_emission = [](const LoadedSpectrum& one) { return one.emission(); };
   const bool emissions = std::any_of(spectra.begin(), spectra.end(), is_emission);
   const bool reflectances = !std::all_of(spectra.begin(), spectra.end(), is_emission);
   std::string text =
@@ -47,7 +47,7 @@ std::string script(const std::vector<LoadedSpectrum>& spectra) {
     for (std::size_t k = 0; k < spectrum.nm.size(); ++k)
       text += number_text(spectrum.nm[k]) + " " + number_text(spectrum.values[k]) + "\n";
     text += "EOD\n";
-    const bool right = emissions && !spectra[i].emission;
+    const bool right = emissions && !spectra[i].emission();
     plots += (plots.empty() ? "plot " : ", ") + block + " using 1:2 axes " +
              (right ? "x1y2" : "x1y1") + " with " +
              (spectrum.nm.size() == 1 ? "points pt 7" : "lines lw 2.2") + " lc rgb " +

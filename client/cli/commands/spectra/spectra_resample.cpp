@@ -33,7 +33,7 @@ void report_change(const LoadedSpectrum& one, const client::ResampledSpectrum& m
   if (made.without_data > 0)
     note(one,
          std::to_string(made.without_data) + " of " + std::to_string(wavelengths.size()) +
-             " wavelengths lie outside its data: " + (one.emission ? "0" : "its end value") +
+             " wavelengths lie outside its data: " + (one.emission() ? "0" : "its end value") +
              " there",
          report);
   const EnergyCheck& energy = made.energy;
@@ -41,7 +41,7 @@ void report_change(const LoadedSpectrum& one, const client::ResampledSpectrum& m
                                           {"integral_before", energy.before},
                                           {"integral_after", energy.after},
                                           {"integral_outside", energy.outside}});
-  const std::string what = one.emission ? "energy" : "area";
+  const std::string what = one.emission() ? "energy" : "area";
   if (made.leaves_out)
     note(one,
          percent(energy.outside / (energy.before + energy.outside)) + " of its " + what +

@@ -10,7 +10,9 @@ namespace {
 
 ResampledSpectrum resampled_at(const Spectrum& spectrum, std::vector<double> nm,
                                bool emission = true) {
-  return resampled({"label", "name", emission, spectrum}, *Wavelengths::listed(std::move(nm)));
+  return resampled(
+      {"label", "name", emission ? Quantity::emission : Quantity::reflectance, spectrum},
+      *Wavelengths::listed(std::move(nm)));
 }
 
 TEST(Resampled, AStraightLineLosesNothing) {
@@ -61,7 +63,8 @@ TEST(Resampled, NothingIsSaidOfADarkOne) {
 TEST(Normalized, HasTheLuminance) {
   for (const auto& observer : {cie::observer_1931(), cie::observer_1964()})
     for (const double luminance : {1e-30, 0.25, 1e30}) {
-      const auto made = normalized({"", "", true, *cie::illuminant("F11")}, observer, luminance);
+      const auto made =
+          normalized({"", "", Quantity::emission, *cie::illuminant("F11")}, observer, luminance);
       ASSERT_TRUE(made);
       const Spectrum& light = made->spectrum.spectrum;
       const Xyz xyz = emission_xyz(light, observer);
@@ -75,15 +78,16 @@ TEST(Normalized, RefusesWhatHasNoLuminance) {
     const auto made = normalized(one, cie::observer_1931(), luminance);
     return made ? "" : made.error().message;
   };
-  EXPECT_EQ(refusal({"dark", "", true, {{400, 700}, {0, 0}}}, 1),
+  EXPECT_EQ(refusal({"dark", "", Quantity::emission, {{400, 700}, {0, 0}}}, 1),
             "\"dark\" is dark to this observer");
-  EXPECT_EQ(refusal({"heat", "", true, {{900, 1000}, {1, 1}}}, 1),
+  EXPECT_EQ(refusal({"heat", "", Quantity::emission, {{900, 1000}, {1, 1}}}, 1),
             "\"heat\" is dark to this observer");
-  EXPECT_EQ(refusal({"paint", "", false, {{400, 700}, {1, 1}}}, 1),
+  EXPECT_EQ(refusal({"paint", "", Quantity::reflectance, {{400, 700}, {1, 1}}}, 1),
             "\"paint\" is taken for a reflectance, which has no luminance of its own");
   // Seen at 555 nm, and enormous where nobody sees it.
-  EXPECT_EQ(refusal({"vast", "", true, {{500, 600, 2000, 3000}, {1, 1, 1, 1e308}}}, 1e300),
-            "\"vast\" overflows at that luminance");
+  EXPECT_EQ(
+      refusal({"vast", "", Quantity::emission, {{500, 600, 2000, 3000}, {1, 1, 1, 1e308}}}, 1e300),
+      "\"vast\" overflows at that luminance");
 }
 
 }  // namespace

@@ -19,10 +19,10 @@ TEST(SpectraFiles, ANameOfTheCiesIsALightOrAPaint) {
   const auto both = load_spectra({"F11", "TCS09"});
   ASSERT_TRUE(both);
   ASSERT_EQ(both->size(), 2u);
-  EXPECT_TRUE((*both)[0].emission);
+  EXPECT_TRUE((*both)[0].emission());
   EXPECT_EQ((*both)[0].spectrum(), *cie::illuminant("F11"));
   EXPECT_EQ((*both)[0].outside(), Outside::zero);
-  EXPECT_FALSE((*both)[1].emission);
+  EXPECT_FALSE((*both)[1].emission());
   EXPECT_EQ((*both)[1].label, "TCS09");
   EXPECT_EQ((*both)[1].outside(), Outside::hold);
 }
@@ -34,13 +34,13 @@ TEST(SpectraFiles, AFileIsAReflectanceWhereAllOfItLiesIn0To1) {
   const std::string below = folder.write("below.txt", "400 -0.0000001\n700 1\n");
   const auto all = load_spectra({in, above, below});
   ASSERT_TRUE(all);
-  EXPECT_FALSE((*all)[0].emission);
+  EXPECT_FALSE((*all)[0].emission());
   EXPECT_EQ((*all)[0].label, in);
   EXPECT_EQ((*all)[0].name, "in");
-  EXPECT_TRUE((*all)[1].emission);
-  EXPECT_TRUE((*all)[2].emission);
-  EXPECT_TRUE(load_one(in, {.kind = SpectrumKind::emission})->emission);
-  EXPECT_FALSE(load_one("D65", {.kind = SpectrumKind::reflectance})->emission);
+  EXPECT_TRUE((*all)[1].emission());
+  EXPECT_TRUE((*all)[2].emission());
+  EXPECT_TRUE(load_one(in, {.reading = {.as = Quantity::emission}})->emission());
+  EXPECT_FALSE(load_one("D65", {.reading = {.as = Quantity::reflectance}})->emission());
 }
 
 TEST(SpectraFiles, AnEntryIsChosenByTheWordOrForAll) {

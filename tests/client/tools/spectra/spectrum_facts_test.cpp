@@ -9,13 +9,13 @@ namespace metamer::client {
 namespace {
 
 EmissionFacts light_facts(const Spectrum& light) {
-  const LoadedSpectrum one{"", "", true, light};
+  const LoadedSpectrum one{"", "", Quantity::emission, light};
   return std::get<EmissionFacts>(
       spectrum_facts(one, *cie::illuminant("D65"), cie::observer_1931())->look);
 }
 
 ReflectanceFacts paint_facts(const Spectrum& paint, const Spectrum& light) {
-  const LoadedSpectrum one{"", "", false, paint};
+  const LoadedSpectrum one{"", "", Quantity::reflectance, paint};
   return std::get<ReflectanceFacts>(spectrum_facts(one, light, cie::observer_1931())->look);
 }
 
@@ -95,7 +95,7 @@ TEST(SpectrumFacts, BlackHasNoChromaticityAndADarkLightNoWhite) {
 }
 
 TEST(SpectrumFacts, TheRangeIsThatOfTheData) {
-  const LoadedSpectrum one{"", "", true, {{380, 500.5, 9000}, {3, -1, 7}}};
+  const LoadedSpectrum one{"", "", Quantity::emission, {{380, 500.5, 9000}, {3, -1, 7}}};
   const SpectrumFacts facts = *spectrum_facts(one, *cie::illuminant("A"), cie::observer_1964());
   EXPECT_EQ(facts.from, 380);
   EXPECT_EQ(facts.to, 9000);

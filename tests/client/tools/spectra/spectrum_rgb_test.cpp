@@ -16,8 +16,9 @@ v1::Development development(v1::RgbSpace space, v1::Adaptation adaptation, bool 
 
 SpectrumRgb rgb_of(const Spectrum& spectrum, bool emission, const char* light,
                    const v1::Development& how, double luminance = 1) {
-  const auto rgb = spectrum_rgb({"", "", emission, spectrum}, *cie::illuminant(light),
-                                cie::observer_1931(), luminance, how);
+  const auto rgb =
+      spectrum_rgb({"", "", emission ? Quantity::emission : Quantity::reflectance, spectrum},
+                   *cie::illuminant(light), cie::observer_1931(), luminance, how);
   EXPECT_TRUE(rgb);
   return *rgb;
 }
@@ -58,7 +59,7 @@ TEST(SpectrumRgb, ASpectralColourLiesOutsideEverySpaceOfRealPrimaries) {
 }
 
 TEST(SpectrumRgb, UnderADarkLightAllIs0) {
-  const LoadedSpectrum paint{"", "", false, {{500}, {1}}};
+  const LoadedSpectrum paint{"", "", Quantity::reflectance, {{500}, {1}}};
   const auto rgb = spectrum_rgb(paint, {{400, 700}, {0, 0}}, cie::observer_1964(), 1,
                                 development(v1::SRGB, v1::BRADFORD));
   ASSERT_TRUE(rgb);
@@ -73,7 +74,7 @@ TEST(SpectrumRgb, PrimariesOnALineMakeNoSpace) {
   for (auto* one : {primaries.mutable_red(), primaries.mutable_green(), primaries.mutable_blue(),
                     primaries.mutable_white()})
     one->Resize(2, 0.3);
-  const LoadedSpectrum light{"", "", true, *cie::illuminant("A")};
+  const LoadedSpectrum light{"", "", Quantity::emission, *cie::illuminant("A")};
   EXPECT_FALSE(spectrum_rgb(light, light.spectrum(), cie::observer_1931(), 1, how));
 }
 

@@ -4,7 +4,6 @@
 #include <fstream>
 #include <iterator>
 
-#include "common/color/chromaticity.h"
 #include "common/color/xyz.h"
 #include "common/spectral/files/interpret.h"
 
@@ -71,6 +70,7 @@ TEST(Exports, SayWhatTheyMeasure) {
   EXPECT_EQ(file_named("km.csv").scale, Scale::percent);
   EXPECT_EQ(file_named("oceanview.txt").format, "OceanView's text");
   EXPECT_EQ(file_named("sekonic.csv").format, "Sekonic's export");
+  EXPECT_EQ(file_named("sekonic.csv").quantity, Quantity::emission) << "it measures lamps alone";
 }
 
 TEST(Exports, OfNoisyLampsAreClampedOnRequestOnly) {

@@ -1,0 +1,177 @@
+// Which paint matches: several beside one, under several lights.
+#include <algorithm>
+#include <filesystem>
+
+#include "client/cli/commands.h"
+#include "client/cli/commands/spectra/spectra_input.h"
+#include "client/tools/pictures/swatches.h"
+#include "client/tools/spectra/paint_match.h"
+#include "client/tools/text/formatted.h"
+
+namespace metamer::cli {
+namespace {
+
+using client::formatted;
+using client::PaintMatch;
+
+struct MatchOptions {
+  SpectraOptions input;
+  std::vector<std::string> lights = {"D65", "A", "F11"};
+  std::optional<double> max;  ///< A nearest candidate that is farther is a failure.
+  std::string output;         ///< A .png; empty: none.
+};
+
+/// What is compared; nothing where something can't be read, which is said.
+struct Paints {
+  client::LoadedSpectrum reference;
+  std::vector<NamedSpectrum> candidates, lights;
+};
+
+std::optional<Paints> load_paints(const MatchOptions& options, Report& report) {
+  SpectraOptions input = options.input;
+  if (!input.as) input.as = "reflectance";
+  const std::vector<std::string>& files = input.files;
+  auto reference = load_one(input, files.front(), report);
+  const auto candidates = load_spectra(input, {files.begin() + 1, files.end()}, report);
+  if (!reference || !candidates) return std::nullopt;
+  Paints paints{.reference = std::move(*reference), .candidates = {}, .lights = {}};
+  std::vector<const client::LoadedSpectrum*> all = {&paints.reference};
+  for (const client::LoadedSpectrum& one : *candidates) {
+    all.push_back(&one);
+    paints.candidates.push_back({.name = one.label, .spectrum = one.spectrum()});
+  }
+  for (const client::LoadedSpectrum* one : all) {
+    for (const std::string& note : one->notes)
+      report.note({.field = {}, .file = {}, .message = one->label + ": " + note});
+    if (!one->emission()) continue;
+    report.error(one->label + ": it is an emission, and reflectances are compared");
+    return std::nullopt;
+  }
+  for (const std::string& word : options.lights) {
+    auto light = load_light(word, "--under", report);
+    if (!light) return std::nullopt;
+    paints.lights.push_back({.name = word, .spectrum = std::move(*light)});
+  }
+  return paints;
+}
+
+Json json_of(const PaintMatch& match) {
+  Json json = {{"name", match.name}, {"under", Json::array()}};
+  for (std::size_t i = 0; i < match.under.size(); ++i) {
+    const Mismatch& under = match.under[i];
+    json["under"].push_back({{"light", under.light},
+                             {"de00", under.de00},
+                             {"deab", under.deab},
+                             {"metamerism_de00", match.index[i].de00},
+                             {"metamerism_deab", match.index[i].deab}});
+  }
+  json["worst"] = {{"light", match.under[match.worst].light}, {"de00", match.worst_de00()}};
+  return json;
+}
+
+/// A table of people's: a line for each candidate, a column for each light.
+void print_table(const std::vector<PaintMatch>& matches, Report& report) {
+  std::size_t name_width = 9;
+  for (const PaintMatch& match : matches) name_width = std::max(name_width, match.name.size());
+  const auto name = [&](std::string text) {
+    text.resize(name_width, ' ');
+    return text;
+  };
+  std::string heading = name("");
+  for (const Mismatch& under : matches.front().under)
+    heading += formatted("  %20s", under.light.c_str());
+  report.line(heading);
+  std::string columns = name("");
+  for (std::size_t i = 0; i < matches.front().under.size(); ++i)
+    columns += formatted("  %6s %6s %6s", "dE00", "dEab", "M");
+  report.line(columns);
+  for (const PaintMatch& match : matches) {
+    std::string line = name(match.name);
+    for (std::size_t i = 0; i < match.under.size(); ++i)
+      line += formatted("  %6.2f %6.2f %6.2f", match.under[i].de00, match.under[i].deab,
+                        match.index[i].de00);
+    report.line(line);
+  }
+}
+
+ExitCode write_swatches(const std::vector<PaintMatch>& matches, const std::string& file,
+                        Report& report) {
+  const auto written = write_image(client::swatches(matches), file, false, {});
+  if (!written) {
+    report.problem(written.error(), {});
+    return ExitCode::other;
+  }
+  report.document()["files"].push_back(file);
+  report.line(file);
+  return ExitCode::done;
+}
+
+ExitCode match(const MatchOptions& options, Report& report) {
+  const auto observer = load_observer(options.input.observer, report);
+  if (!observer) return ExitCode::bad_input;
+  const auto paints = load_paints(options, report);
+  if (!paints) return ExitCode::bad_input;
+  const auto matches = client::match_paints(paints->reference.spectrum(), paints->candidates,
+                                            paints->lights, *observer);
+  if (!matches) {
+    report.problem(matches.error(), {});
+    return ExitCode::bad_input;
+  }
+  const PaintMatch& best = client::nearest(*matches);
+  Json& document = report.document();
+  document["reference"] = paints->reference.label;
+  document["observer"] = observer->name();
+  for (const PaintMatch& match : *matches) document["candidates"].push_back(json_of(match));
+  document["nearest"] = best.name;
+  print_table(*matches, report);
+  report.line(formatted("%s is nearest to %s: at most dE00 %.2f, under %s", best.name.c_str(),
+                        paints->reference.label.c_str(), best.worst_de00(),
+                        best.under[best.worst].light.c_str()));
+  if (!options.output.empty()) {
+    const ExitCode written = write_swatches(*matches, options.output, report);
+    if (written != ExitCode::done) return written;
+  }
+  if (!options.max || best.worst_de00() <= *options.max) return ExitCode::done;
+  report.error(formatted("none keeps to dE00 %g", *options.max));
+  return ExitCode::other;
+}
+
+ExitCode run(const MatchOptions& options) {
+  Report report(options.input.json);
+  if (options.input.files.size() < 2)
+    return refuse("a reference and a candidate are needed", report);
+  const std::string& file = options.output;
+  if (!file.empty() && std::filesystem::path(file).extension() != ".png")
+    return refuse("--output: " + quoted(file) + " does not end in .png", report);
+  return report.finish(match(options, report));
+}
+
+void declare(MatchOptions& values, Options& options) {
+  declare_spectra(values.input, options);
+  options.front().meaning =
+      "the reference, then the candidates: files (FILE#ENTRY: one of several) or test colours";
+  declare_observer(values.input, options);
+  options.push_back({.names = "--under",
+                     .target = &values.lights,
+                     .meaning = "the lights, the first of which is where metamerism (M) is 0",
+                     .type = "LIGHT,…",
+                     .shows_default = true,
+                     .separator = ','});
+  options.push_back({.names = "--max",
+                     .target = &values.max,
+                     .meaning = "exit with 1 where the nearest differs by more ΔE00 under a light",
+                     .sign = Option::Sign::not_negative});
+  options.push_back({.names = "-o,--output",
+                     .target = &values.output,
+                     .meaning = "a .png of swatches: lights across, candidates down, the reference "
+                                "at the left of each"});
+}
+
+}  // namespace
+
+Command commands::spectra_compare() {
+  return make_command<MatchOptions>("spectra compare", "which paint matches another, by light",
+                                    declare, run);
+}
+
+}  // namespace metamer::cli

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "client/tools/spectra/paint_match.h"
+#include "common/image/image.h"
+
+namespace metamer::client {
+
+inline constexpr int swatch_size = 96;  ///< Pixels.
+
+/// A picture of paints in X Y Z, adapted (Bradford) to D65: a row for each candidate, a column for
+/// each light, each a square of which the left half is the reference and the right the candidate.
+/// `matches` has at least one.
+Image swatches(const std::vector<PaintMatch>& matches);
+
+}  // namespace metamer::client

@@ -1,0 +1,49 @@
+#include "common/scene/reading.h"
+
+namespace metamer {
+namespace {
+
+std::optional<Quantity> quantity_of(const v1::Reading& message) {
+  if (message.as() == v1::Reading::REFLECTANCE) return Quantity::reflectance;
+  if (message.as() == v1::Reading::TRANSMITTANCE) return Quantity::transmittance;
+  if (message.as() == v1::Reading::EMISSION) return Quantity::emission;
+  return std::nullopt;
+}
+
+std::optional<WavelengthUnit> unit_of(const v1::Reading& message) {
+  if (message.unit() == v1::Reading::NM) return WavelengthUnit::nm;
+  if (message.unit() == v1::Reading::UM) return WavelengthUnit::um;
+  return std::nullopt;
+}
+
+std::optional<Scale> scale_of_message(const v1::Reading& message) {
+  if (message.scale() == v1::Reading::ONE) return Scale::one;
+  if (message.scale() == v1::Reading::PERCENT) return Scale::percent;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Reading reading_of(const v1::Reading& message) {
+  return {.as = quantity_of(message),
+          .unit = unit_of(message),
+          .scale = scale_of_message(message),
+          .clamp = message.clamp()};
+}
+
+Result<Interpreted> as_role(const SpectrumFile& file, Spectrum spectrum, const Reading& reading,
+                            SpectrumRole role) {
+  switch (role) {
+    case SpectrumRole::emission:
+      return interpret(file, std::move(spectrum), reading, Use::emission);
+    case SpectrumRole::property:
+    case SpectrumRole::reflectance:
+      return interpret(file, std::move(spectrum), reading, Use::property);
+    case SpectrumRole::index:
+    case SpectrumRole::extinction:
+      break;
+  }
+  return Interpreted{.spectrum = std::move(spectrum), .quantity = Quantity::reflectance};
+}
+
+}  // namespace metamer

@@ -1,0 +1,57 @@
+#include "client/tools/spectra/paint_match.h"
+
+#include <gtest/gtest.h>
+
+#include "client/tools/pictures/swatches.h"
+#include "common/spectral/cie.h"
+
+namespace metamer::client {
+namespace {
+
+std::vector<NamedSpectrum> lights_of_day_and_shop() {
+  return {{"D65", *cie::illuminant("D65")}, {"F11", *cie::illuminant("F11")}};
+}
+
+TEST(PaintMatch, FindsTheOneWhoseWorstLightIsBest) {
+  const Spectrum& paint = *cie::test_color("TCS09");
+  const std::vector<NamedSpectrum> candidates = {
+      {"near", *cie::test_color("TCS01")}, {"same", paint}, {"far", *cie::test_color("TCS12")}};
+  const auto matches =
+      match_paints(paint, candidates, lights_of_day_and_shop(), cie::observer_1931());
+  ASSERT_TRUE(matches);
+  ASSERT_EQ(matches->size(), 3U);
+  EXPECT_EQ(nearest(*matches).name, "same");
+  EXPECT_EQ(nearest(*matches).worst_de00(), 0);
+  for (const PaintMatch& match : *matches) {
+    EXPECT_NEAR(match.index.front().de00, 0, 1e-9) << "under the reference";
+    for (const Mismatch& under : match.under) EXPECT_LE(under.de00, match.worst_de00());
+  }
+}
+
+TEST(PaintMatch, TellsALightThatNobodySees) {
+  const Spectrum grey = {{500}, {0.5}};
+  const auto matches =
+      match_paints(grey, {{"b", grey}}, {{"heat", {{900, 1000}, {1, 1}}}}, cie::observer_1931());
+  EXPECT_FALSE(matches);
+}
+
+TEST(Swatches, HaveTheReferenceAtTheLeft) {
+  const Spectrum grey = {{500}, {0.5}}, black = {{500}, {0}};
+  const auto matches = match_paints(grey, {{"black", black}, {"grey", grey}},
+                                    lights_of_day_and_shop(), cie::observer_1931());
+  ASSERT_TRUE(matches);
+  const Image image = swatches(*matches);
+  EXPECT_EQ(image.width, 2 * swatch_size);
+  EXPECT_EQ(image.height, 2 * swatch_size);
+  for (const int column : {0, swatch_size}) {
+    EXPECT_NEAR(image.at(column, 0)[1], 0.5, 1e-6);
+    EXPECT_EQ(image.at(column + swatch_size / 2, 0)[1], 0);
+    EXPECT_NEAR(image.at(column + swatch_size / 2, swatch_size)[1], 0.5, 1e-6);
+    // A grey is D65's under each light, as eyes are adapted to it.
+    EXPECT_NEAR(image.at(column, 0)[0], 0.5 * 0.95047, 1e-4);
+    EXPECT_NEAR(image.at(column, 0)[2], 0.5 * 1.08883, 2e-4);
+  }
+}
+
+}  // namespace
+}  // namespace metamer::client
