@@ -8,10 +8,9 @@
 namespace metamer {
 namespace {
 
-/// Of what is seen, a panel's error may be this share. Errors of panels are of either sign.
-constexpr double tolerance = 3e-7;
-/// Of what is seen of white, the error between two edges may be this share.
-constexpr double edge_tolerance = 1e-6;
+/// Of what is seen, the error of a panel, or between two edges, may be this share. Errors are of
+/// either sign, and those of a scene's longest chains stay below 1e-5.
+constexpr double tolerance = 5e-7;
 /// A value is off relative to itself, or to this share of its panel's largest.
 constexpr double darkest = 1e-3;
 /// No panel is cut below it, nm.
@@ -207,7 +206,7 @@ std::vector<double> bend_edges(const std::vector<const Spectrum*>& spectra,
       sum += bends[last] * (all[last] - all[first]);
       moment += bends[last] * (all[last] - all[first]) * all[last];
       const double to = all[last + 1], off = (sum * to - moment) / (to - all[first]);
-      if (off * seen.between(all[first], to) > edge_tolerance) break;
+      if (off * seen.between(all[first], to) > tolerance) break;
     }
     edges.push_back(all[last]);
     first = last;
