@@ -7,11 +7,11 @@
 
 namespace metamer::client {
 
-inline constexpr int swatch_size = 96;  ///< Pixels.
+inline constexpr int swatch_size = 96, swatch_gap = 8;  ///< Pixels; a gap surrounds each.
 
 /// A picture of paints in X Y Z, adapted (Bradford) to D65: a row for each candidate, a column for
-/// each light, each a square of which the left half is the reference and the right the candidate.
-/// `matches` has at least one.
+/// each light, each a square of which the left half is the reference and the right the candidate,
+/// on neutral grey of Y 0.2. `matches` has at least one.
 Image swatches(const std::vector<PaintMatch>& matches);
 
 }  // namespace metamer::client

@@ -41,15 +41,17 @@ TEST(Swatches, HaveTheReferenceAtTheLeft) {
                                     lights_of_day_and_shop(), cie::observer_1931());
   ASSERT_TRUE(matches);
   const Image image = swatches(*matches);
-  EXPECT_EQ(image.width, 2 * swatch_size);
-  EXPECT_EQ(image.height, 2 * swatch_size);
-  for (const int column : {0, swatch_size}) {
-    EXPECT_NEAR(image.at(column, 0)[1], 0.5, 1e-6);
-    EXPECT_EQ(image.at(column + swatch_size / 2, 0)[1], 0);
-    EXPECT_NEAR(image.at(column + swatch_size / 2, swatch_size)[1], 0.5, 1e-6);
+  constexpr int pitch = swatch_size + swatch_gap, half = swatch_size / 2;
+  EXPECT_EQ(image.width, 2 * pitch + swatch_gap);
+  EXPECT_EQ(image.height, 2 * pitch + swatch_gap);
+  EXPECT_NEAR(image.at(0, 0)[1], 0.2, 1e-6) << "the ground";
+  for (const int left : {swatch_gap, swatch_gap + pitch}) {
+    EXPECT_NEAR(image.at(left, swatch_gap)[1], 0.5, 1e-6);
+    EXPECT_EQ(image.at(left + half, swatch_gap)[1], 0);
+    EXPECT_NEAR(image.at(left + half, swatch_gap + pitch)[1], 0.5, 1e-6);
     // A grey is D65's under each light, as eyes are adapted to it.
-    EXPECT_NEAR(image.at(column, 0)[0], 0.5 * 0.95047, 1e-4);
-    EXPECT_NEAR(image.at(column, 0)[2], 0.5 * 1.08883, 2e-4);
+    EXPECT_NEAR(image.at(left, swatch_gap)[0], 0.5 * 0.95047, 1e-4);
+    EXPECT_NEAR(image.at(left, swatch_gap)[2], 0.5 * 1.08883, 2e-4);
   }
 }
 
