@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "common/spectral/files/cgats_words.h"
 #include "common/spectral/files/rows.h"
 #include "common/spectral/wavelengths.h"
 
@@ -20,46 +21,6 @@ struct Setting {
   double value = 0;
   Token token;
 };
-
-struct Column {
-  enum class Kind { spectral, id, name, other };
-  Kind kind = Kind::other;
-  double nm = 0;  ///< As the name of a spectral column says.
-  Token token;
-};
-
-/// Whether a word is that keyword, in any case.
-bool is_keyword(const Token& token, std::string_view keyword) {
-  return token.text.size() == keyword.size() && lower(token.text) == lower(keyword);
-}
-
-/// The number in a spectral column's name only has to be one: the header's positions go before it.
-Column make_column(const Token& token) {
-  Column column{.token = token};
-  if (is_keyword(token, "SAMPLE_ID")) column.kind = Column::Kind::id;
-  if (is_keyword(token, "SAMPLE_NAME")) column.kind = Column::Kind::name;
-  if (const auto label = labelled_wavelength(token.text)) {
-    column.kind = Column::Kind::spectral;
-    column.nm = label->value;
-  }
-  return column;
-}
-
-/// MEAS_TYPE as Argyll writes it.
-std::optional<Quantity> quantity_of_type(const Token& type) {
-  const std::string word = lower(type.text);
-  if (word.starts_with("reflect")) return Quantity::reflectance;
-  if (word.starts_with("transmi")) return Quantity::transmittance;
-  if (word.starts_with("emission") || word.starts_with("emissive") || word.starts_with("ambient") ||
-      word.starts_with("flash"))
-    return Quantity::emission;
-  return std::nullopt;
-}
-
-/// Column names carry whole nanometres, rounded either way, or (colord's CIE-A.sp) thousandths.
-bool names_position(const Column& column, double nm) {
-  return std::abs(column.nm - nm) <= 1 || std::abs(column.nm / 1000 - nm) <= 1;
-}
 
 class Reader {
  public:

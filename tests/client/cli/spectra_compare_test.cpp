@@ -1,0 +1,76 @@
+// `metamer spectra compare`, and what the commands of spectra say of files as people have them.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/client/cli/said.h"
+#include "tests/client/tools/temporary_folder.h"
+
+namespace metamer::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+TEST(SpectraCompare, NamesThePaintThatMatches) {
+  const client::TemporaryFolder folder;
+  const std::string fabrics =
+      folder.write("fabrics.csv",
+                   "Wavelength [nm];Wool [%];Linen [%]\n400;20;5,5\n500;30;30\n"
+                   "600;40;60\n700;50;70\n");
+  const std::string sample = folder.write("sample.txt", "400 0.2\n500 0.31\n600 0.4\n700 0.5\n");
+  const std::string swatches = folder.file("swatches.png");
+  const Said said = say({"spectra", "compare", sample, fabrics, "--under", "D65,2856K,D:5003K,F11",
+                         "-o", swatches, "--json"});
+  ASSERT_EQ(said.code, ExitCode::done) << said.err;
+  const Json answer = said.json();
+  ASSERT_EQ(answer["candidates"].size(), 2U);
+  EXPECT_EQ(answer["candidates"][0]["under"].size(), 4U);
+  EXPECT_EQ(answer["nearest"], fabrics + ": Wool [%]");
+  EXPECT_LT(answer["candidates"][0]["worst"]["de00"].get<double>(), 3);
+  EXPECT_GT(answer["candidates"][1]["worst"]["de00"].get<double>(), 10);
+  EXPECT_NEAR(answer["candidates"][1]["under"][0]["metamerism_de00"].get<double>(), 0, 1e-9);
+  EXPECT_TRUE(std::filesystem::exists(swatches));
+
+  EXPECT_EQ(say({"spectra", "compare", sample, fabrics, "--max", "3"}).code, ExitCode::done);
+  const Said over = say({"spectra", "compare", sample, fabrics, "--max", "0.01"});
+  EXPECT_EQ(over.code, ExitCode::other);
+  EXPECT_NE(over.out.find("is nearest to"), std::string::npos);
+}
+
+TEST(SpectraCompare, SaysWhatItCannotCompare) {
+  const client::TemporaryFolder folder;
+  const std::string paint = folder.write("a.txt", "400 0.2\n700 0.5\n");
+  EXPECT_EQ(say({"spectra", "compare", paint}).code, ExitCode::bad_input);
+  EXPECT_EQ(say({"spectra", "compare", paint, "TCS99"}).code, ExitCode::bad_input);
+  EXPECT_EQ(say({"spectra", "compare", paint, "TCS01", "--under", "D66"}).code,
+            ExitCode::bad_input);
+  EXPECT_EQ(say({"spectra", "compare", paint, "TCS01", "-o", "a.exr"}).code, ExitCode::bad_input);
+  EXPECT_EQ(say({"spectra", "compare", paint, "TCS01", "--as", "emission"}).code,
+            ExitCode::bad_input);
+}
+
+TEST(SpectraInfo, SaysWhatAFileWasTakenFor) {
+  const client::TemporaryFolder folder;
+  const std::string percent = folder.write("percent.csv", "nm,R\n400,20\n500,50\n600,80\n");
+  const Json guessed = say({"spectra", "info", percent, "--as", "reflectance", "--json"}).json();
+  EXPECT_EQ(guessed["spectra"][0]["format"], "a table with commas");
+  EXPECT_EQ(guessed["spectra"][0]["notes"][0], "taken for percents, as its values reach 80");
+  EXPECT_EQ(guessed["spectra"][0]["max"], 0.8);
+  const Json said =
+      say({"spectra", "info", percent, "--as", "reflectance", "--scale", "percent", "--json"})
+          .json();
+  EXPECT_FALSE(said["spectra"][0].contains("notes"));
+
+  const std::string gold = folder.write("gold.txt", "0.4 0.5\n0.5 0.6\n0.6 0.7\n");
+  const Said unsaid = say({"spectra", "info", gold});
+  EXPECT_EQ(unsaid.code, ExitCode::bad_input);
+  EXPECT_NE(unsaid.err.find("look like µm"), std::string::npos) << unsaid.err;
+  EXPECT_EQ(say({"spectra", "info", gold, "--unit", "um", "--json"}).json()["spectra"][0]["from"],
+            400);
+
+  const std::string noisy = folder.write("noisy.txt", "400 -0.01\n500 20\n600 30\n");
+  EXPECT_EQ(say({"spectra", "info", noisy, "--clamp", "--json"}).json()["spectra"][0]["min"], 0);
+}
+
+}  // namespace
+}  // namespace metamer::cli
