@@ -40,9 +40,9 @@ Result<std::vector<LoadedSpectrum>> read_spectra(const std::string& name,
   auto file = read_spectrum_file(*bytes, name, choice.reading.unit);
   if (!file) return tl::unexpected(std::move(file.error()));
   std::vector<LoadedSpectrum> loaded;
-  for (NamedSpectrum& one : file->spectra) {
+  for (const NamedSpectrum& one : file->spectra) {
     const std::string label = printable(one.name.empty() ? name : name + ": " + one.name);
-    auto taken = interpret(*file, std::move(one.spectrum), choice.reading, choice.use);
+    auto taken = interpret(*file, one.spectrum, choice.reading, choice.use);
     if (!taken) return problem(label + ": " + taken.error().message);
     loaded.push_back(
         {.label = label,

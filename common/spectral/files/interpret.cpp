@@ -14,8 +14,14 @@ constexpr double surely_percent = 5;
 
 bool is_property(Quantity quantity) { return quantity != Quantity::emission; }
 
-double largest(const Spectrum& spectrum) {
-  return *std::max_element(spectrum.values.begin(), spectrum.values.end());
+/// Of all the spectra of a file: one is written as the others.
+double largest(const SpectrumFile& file, const Spectrum& spectrum) {
+  double most = *std::max_element(spectrum.values.begin(), spectrum.values.end());
+  for (const NamedSpectrum& other : file.spectra)
+    if (!other.spectrum.values.empty())
+      most = std::max(
+          most, *std::max_element(other.spectrum.values.begin(), other.spectrum.values.end()));
+  return most;
 }
 
 /// What a spectrum is, where nobody said it.
@@ -39,8 +45,9 @@ Scale scale_of(const SpectrumFile& file, const Spectrum& spectrum, const Reading
                std::vector<std::string>& notes) {
   if (reading.scale) return *reading.scale;
   if (file.scale) return *file.scale;
-  if (largest(spectrum) <= surely_percent) return Scale::one;
-  notes.push_back("taken for percents, as its values reach " + number_text(largest(spectrum)));
+  const double most = largest(file, spectrum);
+  if (most <= surely_percent) return Scale::one;
+  notes.push_back("taken for percents, as the file's values reach " + number_text(most));
   return Scale::percent;
 }
 

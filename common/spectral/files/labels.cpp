@@ -94,11 +94,35 @@ std::optional<WavelengthUnit> unit_in(std::string_view heading) {
 }
 
 bool says_percent(std::string_view heading) {
-  // Not the sign alone: "cotton 100%" is a name.
-  static constexpr std::array<std::string_view, 7> whole = {"%",  "r%",  "r %", "%r",
-                                                            "t%", "t %", "%t"};
-  return has_any(heading, {"[%]", "(%)", "/%", "/ %", "percent"}) ||
-         std::find(whole.begin(), whole.end(), lower(heading)) != whole.end();
+  if (has_any(heading, {"percent", "prozent", "pct"})) return true;
+  // A number before the sign is of a name: "cotton 100%".
+  for (std::size_t at = heading.find('%'); at != std::string_view::npos;
+       at = heading.find('%', at + 1)) {
+    const std::size_t before = heading.substr(0, at).find_last_not_of(blanks);
+    if (before == std::string_view::npos || heading[before] < '0' || heading[before] > '9')
+      return true;
+  }
+  return false;
+}
+
+std::string unusable_axis(std::string_view heading) {
+  if (has_any(heading, {"thz", "frequenc", "frequenz"})) return "frequencies";
+  if (has_any(heading, {"cm-1", "cm^-1", "cm⁻¹", "wavenumber", "wellenzahl", "raman"}))
+    return "wavenumbers";
+  if (has_any(heading, {"(ev)", "[ev]", "photon energy"})) return "energies";
+  if (has_any(heading, {"å", "Å", "angstrom"})) return "ångströms";
+  if (has_any(heading, {"(m)", "[m]", "/ m)"})) return "metres";
+  return {};
+}
+
+std::string unusable_quantity(std::string_view heading) {
+  const std::string text = lower(heading);
+  if (has_any(heading, {"absorb", "absorp"})) return "absorbance";
+  if (text == "od" || text == "density" || has_any(heading, {"optical density"})) return "density";
+  if (has_any(heading, {"k/s"})) return "K/S";
+  if (has_any(heading, {"log10", "log(", "log r", "log t", "log 1"})) return "a logarithm";
+  if (has_any(heading, {"photon", "quanta", "µmol", "μmol", "umol"})) return "a number of photons";
+  return {};
 }
 
 bool says_wavelength(std::string_view heading) {

@@ -24,8 +24,16 @@ std::optional<Labelled> labelled_wavelength(std::string_view label, char decimal
 /// "[nm]", "Wavelength (µm)", "lambda / um", "microns": the unit that a heading gives.
 std::optional<WavelengthUnit> unit_in(std::string_view heading);
 
-/// Whether a heading says that values are percents: "R [%]", "percent".
+/// Whether a heading says that values are percents: "R [%]", "Reflectance %", "percent"; not
+/// "cotton 100%".
 bool says_percent(std::string_view heading);
+
+/// What a heading of wavelengths says instead: "frequencies". Empty: nothing else.
+std::string unusable_axis(std::string_view heading);
+
+/// What a heading of values says that is neither a reflectance nor a power: "absorbance". Empty:
+/// nothing such.
+std::string unusable_quantity(std::string_view heading);
 
 /// Whether a heading is that of the wavelengths.
 bool says_wavelength(std::string_view heading);

@@ -137,6 +137,16 @@ std::optional<Quantity> quantity_of(const Lines& lines, std::size_t end,
   return quantity_in(words);
 }
 
+bool says_percent_above(const Lines& lines, std::size_t end) {
+  for (std::size_t i = 0; i < end; ++i) {
+    const std::string_view line = lines.all()[i].text;
+    const std::string text = lower(line);
+    const bool names = quantity_in(line) || text.find("unit") != std::string::npos;
+    if (names && says_percent(line)) return true;
+  }
+  return false;
+}
+
 std::string describe(const Dialect& dialect) {
   const std::string separated = dialect.delimiter == '\t'  ? "tabs"
                                 : dialect.delimiter == ';' ? "semicolons"

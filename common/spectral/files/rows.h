@@ -53,8 +53,14 @@ class Lines {
 };
 
 /// The ways that tables are written, the likelier of two that both fit first.
-inline constexpr std::array<Dialect, 7> dialects = {
-    {{'\t', '.'}, {';', '.'}, {',', '.'}, {' ', '.'}, {'\t', ','}, {';', ','}, {' ', ','}}};
+inline constexpr std::array<Dialect, 8> dialects = {{{'\t', '.'},
+                                                     {';', '.'},
+                                                     {',', '.'},
+                                                     {' ', '.'},
+                                                     {'\t', ','},
+                                                     {';', ','},
+                                                     {' ', ','},
+                                                     {',', ','}}};
 
 /// The one in which most of the first thousand lines are rows (is_row).
 Dialect dialect_of(const Lines& lines);
@@ -66,6 +72,10 @@ tl::unexpected<Problem> no_number(const std::string& file, const Token& cell,
 /// What the words above a table say of its values: its headings, else the lines before `end`.
 std::optional<Quantity> quantity_of(const Lines& lines, std::size_t end,
                                     const std::vector<Row>& headings);
+
+/// Whether the lines before `end` say that values are percents: one that names a quantity or a
+/// unit.
+bool says_percent_above(const Lines& lines, std::size_t end);
 
 /// All the wavelengths of a line of them, and the columns of other kinds beside.
 inline constexpr std::size_t max_cells = Wavelengths::max_count + 1000;

@@ -19,7 +19,10 @@ class Tall {
   using Done = tl::expected<void, Problem>;
 
   bool find_first_row();
-  void read_headings();
+  Done read_headings();
+  Done check_headings() const;
+  void share_scale();
+  void begin_block(double position);
   Done read_row(const Row& row);
   Done read_rows();
   std::string name_of(std::size_t column) const;
@@ -34,6 +37,7 @@ class Tall {
   std::size_t position_ = 0;   ///< The column of the wavelengths.
   /// Rows are called after their wavelengths, among other rows: a spectrometer for lamps.
   bool labelled_ = false;
+  std::vector<RawSpectrum> longer_;  ///< Of several blocks of labelled rows, the longest so far.
   Contents contents_;
 };
 
@@ -49,7 +53,7 @@ bool Tall::find_first_row() {
   return false;
 }
 
-void Tall::read_headings() {
+Tall::Done Tall::read_headings() {
   for (std::size_t i = 0; i < first_; ++i) {
     Lines::Line line = lines_.all()[i];
     if (line.comment) line.text.remove_prefix(line.text.find('#') + 1);
@@ -59,12 +63,58 @@ void Tall::read_headings() {
   for (const Row& heading : headings_)
     for (std::size_t c = heading.size(); c-- > 0;)
       if (says_wavelength(heading[c].text) && c + 1 < heading.size()) position_ = c;
-  for (const Row& heading : headings_) {
+  for (const Row& heading : headings_)
     if (const auto unit = unit_in(heading[position_].text)) contents_.unit = unit;
-    for (std::size_t c = position_ + 1; c < heading.size(); ++c)
-      if (says_percent(heading[c].text)) contents_.scale = Scale::percent;
-  }
   contents_.quantity = quantity_of(lines_, first_, headings_);
+  return check_headings();
+}
+
+/// Other axes and quantities, and a second axis, are no spectra by wavelength.
+Tall::Done Tall::check_headings() const {
+  for (std::size_t i = 0; i < first_; ++i) {
+    const Lines::Line& line = lines_.all()[i];
+    const std::string text = lower(line.text);
+    if (text.find("xaxis mode") == std::string::npos) continue;
+    if (text.find("wavelength") == std::string::npos)
+      return problem_at(file_, {.text = {}, .line = line.number, .column = 1},
+                        "wavelengths are needed, and the file has another axis");
+  }
+  for (const Row& heading : headings_)
+    for (std::size_t c = 0; c < heading.size(); ++c) {
+      const std::string axis = c == position_ ? unusable_axis(heading[c].text) : "";
+      if (!axis.empty())
+        return problem_at(file_, heading[c], "wavelengths in nm or µm are needed, not " + axis);
+      if (c > position_ && says_wavelength(heading[c].text))
+        return problem_at(
+            file_, heading[c],
+            "a second column of wavelengths: a table has one; give each its own file");
+      const std::string quantity = c > position_ ? unusable_quantity(heading[c].text) : "";
+      if (!quantity.empty())
+        return problem_at(file_, heading[c],
+                          quantity + " is neither a reflectance, a transmittance nor a power");
+    }
+  return {};
+}
+
+/// Where one column is in percents, all are: what does not say so is relative to 1 until here.
+void Tall::share_scale() {
+  std::vector<bool> percent(contents_.spectra.size(), says_percent_above(lines_, first_));
+  for (const Row& heading : headings_)
+    for (std::size_t c = position_ + 1; c < heading.size(); ++c)
+      if (says_percent(heading[c].text)) percent[c - position_ - 1] = true;
+  if (std::find(percent.begin(), percent.end(), true) == percent.end()) return;
+  contents_.scale = Scale::percent;
+  for (std::size_t c = 0; c < percent.size(); ++c)
+    if (!percent[c])
+      for (double& value : contents_.spectra[c].values) value *= 100;
+}
+
+/// Sekonic's exports have the same lamp twice, by 5 and by 1 nm: the finer one is kept.
+void Tall::begin_block(double position) {
+  const std::vector<double>& at = contents_.spectra.front().at;
+  if (at.empty() || position > at.front()) return;
+  if (longer_.empty() || at.size() > longer_.front().at.size()) longer_ = contents_.spectra;
+  for (RawSpectrum& spectrum : contents_.spectra) spectrum.at = spectrum.values = {};
 }
 
 Tall::Done Tall::read_row(const Row& row) {
@@ -76,6 +126,7 @@ Tall::Done Tall::read_row(const Row& row) {
   const auto position = position_in(row[position_], dialect_);
   if (!position) return no_number(file_, row[position_], dialect_);
   if (position->unit) contents_.unit = position->unit;
+  if (labelled_) begin_block(position->value);
   for (std::size_t c = position_ + 1; c < row.size(); ++c) {
     RawSpectrum& spectrum = contents_.spectra[c - position_ - 1];
     if (row[c].text.empty()) continue;
@@ -115,9 +166,12 @@ Tall::Done Tall::read_rows() {
 }
 
 std::string Tall::name_of(std::size_t column) const {
-  for (const Row& heading : headings_) {
-    const std::string_view name = heading[column].text;
-    if (!name.empty() && !unit_in(name)) return std::string(name);
+  // The line nearest to the data that says more than a unit.
+  for (std::size_t i = headings_.size(); i-- > 0;) {
+    const std::string_view name = headings_[i][column].text;
+    const bool unit =
+        unit_in(name) || name == "1" || name == "[1]" || (says_percent(name) && name.size() <= 3);
+    if (!name.empty() && !unit) return std::string(name);
   }
   return "column " + std::to_string(column + 1);
 }
@@ -146,11 +200,14 @@ Result<Contents> Tall::read() {
   if (first_row_.size() > max_cells)
     return problem_at(file_, first_row_.front(),
                       "at most " + std::to_string(max_cells) + " columns are possible");
-  read_headings();
+  if (Done done = read_headings(); !done) return tl::unexpected(std::move(done.error()));
   labelled_ = !number_in(first_row_[position_], dialect_);
   contents_.spectra.resize(first_row_.size() - position_ - 1);
   for (RawSpectrum& spectrum : contents_.spectra) spectrum.begin = first_row_.front();
   if (Done done = read_rows(); !done) return tl::unexpected(std::move(done.error()));
+  if (longer_.size() > 0 && longer_.front().at.size() > contents_.spectra.front().at.size())
+    contents_.spectra = std::move(longer_);
+  share_scale();
 
   // Name them where there are several; columns without a value are none.
   std::vector<RawSpectrum> spectra;

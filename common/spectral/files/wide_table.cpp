@@ -53,6 +53,10 @@ std::optional<Wide> find_wide(const Lines& lines) {
       const Lines::Line& next = lines.all()[i + 1];
       const Row row = cut(next.text, next.number, dialect);
       if (found.columns.back() >= row.size()) continue;
+      // Samples may be called by numbers: a heading of wavelengths above some decides.
+      const auto below = number_in(row.front(), dialect);
+      const Row top = cut(line.text, line.number, dialect);
+      if (says_wavelength(top.front().text) && below && *below >= 100) continue;
       const auto sound = std::all_of(
           found.columns.begin(), found.columns.end(),
           [&](std::size_t c) { return row[c].text.empty() || number_in(row[c], dialect); });
@@ -73,6 +77,7 @@ Result<Contents> read_wide(const Lines& lines, const Wide& wide, const std::stri
                     .quantity = quantity_of(lines, wide.heading, {heading})};
   for (std::size_t c = 0; c < heading.size(); ++c)
     if (says_percent(heading[c].text)) contents.scale = Scale::percent;
+  if (says_percent_above(lines, wide.heading)) contents.scale = Scale::percent;
   for (std::size_t i = wide.heading + 1; i < lines.all().size(); ++i) {
     const Lines::Line& line = lines.all()[i];
     if (line.comment) continue;

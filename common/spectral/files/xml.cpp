@@ -123,6 +123,7 @@ Document::Done Document::read_cxf_spectrum(const xml_node& spectrum, const xml_n
   if (raw.values.size() > 1) {
     const Result<double> step = cxf_range(spectrum, "Increment");
     if (!step) return tl::unexpected(step.error());
+    if (!(*step > 0)) return problem_at(file_, raw.begin, "Increment must be above 0");
     increment = *step;
   }
   for (std::size_t i = 0; i < raw.values.size(); ++i) {
@@ -179,7 +180,14 @@ Result<Contents> Document::read_tm27(const xml_node& root) {
     std::string quantity;
     for (const xml_node& said : all_named(distribution, "SpectralQuantity"))
       quantity = lower(said.child_value());
-    contents_.quantity = quantity_in(quantity).value_or(Quantity::emission);
+    static const std::vector<std::string> powers = {
+        "", "flux", "intensity", "irradiance", "radiance", "exitance", "relative", "other"};
+    const auto said = quantity_in(quantity);
+    if (!said && std::find(powers.begin(), powers.end(), quantity) == powers.end())
+      return problem_at(
+          file_, place(distribution),
+          quoted(quantity) + " is neither a reflectance, a transmittance nor a power");
+    contents_.quantity = said.value_or(Quantity::emission);
     if (Done done = add(std::move(raw)); !done) return tl::unexpected(std::move(done.error()));
   }
   if (contents_.spectra.empty())

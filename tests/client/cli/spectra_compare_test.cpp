@@ -42,6 +42,9 @@ TEST(SpectraCompare, SaysWhatItCannotCompare) {
   const std::string paint = folder.write("a.txt", "400 0.2\n700 0.5\n");
   EXPECT_EQ(say({"spectra", "compare", paint}).code, ExitCode::bad_input);
   EXPECT_EQ(say({"spectra", "compare", paint, "TCS99"}).code, ExitCode::bad_input);
+  EXPECT_EQ(say({"spectra", "compare", paint, "D65"}).code, ExitCode::bad_input);
+  EXPECT_EQ(say({"spectra", "compare", paint, "TCS01", "--under", "TCS09"}).code,
+            ExitCode::bad_input);
   EXPECT_EQ(say({"spectra", "compare", paint, "TCS01", "--under", "D66"}).code,
             ExitCode::bad_input);
   EXPECT_EQ(say({"spectra", "compare", paint, "TCS01", "-o", "a.exr"}).code, ExitCode::bad_input);
@@ -54,7 +57,7 @@ TEST(SpectraInfo, SaysWhatAFileWasTakenFor) {
   const std::string percent = folder.write("percent.csv", "nm,R\n400,20\n500,50\n600,80\n");
   const Json guessed = say({"spectra", "info", percent, "--as", "reflectance", "--json"}).json();
   EXPECT_EQ(guessed["spectra"][0]["format"], "a table with commas");
-  EXPECT_EQ(guessed["spectra"][0]["notes"][0], "taken for percents, as its values reach 80");
+  EXPECT_EQ(guessed["spectra"][0]["notes"][0], "taken for percents, as the file's values reach 80");
   EXPECT_EQ(guessed["spectra"][0]["max"], 0.8);
   const Json said =
       say({"spectra", "info", percent, "--as", "reflectance", "--scale", "percent", "--json"})

@@ -270,8 +270,9 @@ TEST(SceneSpectrum, TellsWhatItGuessedOfAFile) {
       load_noted_spectrum(from_file("percent.csv"), "m", SpectrumRole::property, files.reader());
   ASSERT_TRUE(noted);
   EXPECT_EQ(noted->spectrum.values, (std::vector<double>{0.2, 0.5, 0.8}));
-  EXPECT_EQ(noted->notes, std::vector<std::string>{
-                              "\"percent.csv\": taken for percents, as its values reach 80"});
+  EXPECT_EQ(noted->notes,
+            std::vector<std::string>{
+                "\"percent.csv\": taken for percents, as the file's values reach 80"});
 }
 
 TEST(SceneSpectrum, ReadingIsForFilesAlone) {

@@ -29,7 +29,7 @@ struct Paints {
 
 std::optional<Paints> load_paints(const MatchOptions& options, Report& report) {
   SpectraOptions input = options.input;
-  if (!input.as) input.as = "reflectance";
+  input.use = Use::property;
   const std::vector<std::string>& files = input.files;
   auto reference = load_one(input, files.front(), report);
   const auto candidates = load_spectra(input, {files.begin() + 1, files.end()}, report);
@@ -41,8 +41,7 @@ std::optional<Paints> load_paints(const MatchOptions& options, Report& report) {
     paints.candidates.push_back({.name = one.label, .spectrum = one.spectrum()});
   }
   for (const client::LoadedSpectrum* one : all) {
-    for (const std::string& note : one->notes)
-      report.note({.field = {}, .file = {}, .message = one->label + ": " + note});
+    tell_notes(*one, report);
     if (!one->emission()) continue;
     report.error(one->label + ": it is an emission, and reflectances are compared");
     return std::nullopt;

@@ -12,7 +12,7 @@ using client::LoadedSpectrum;
 
 /// What the options say of files. The words are among their choices.
 client::SpectrumChoice choice_of(const SpectraOptions& options) {
-  client::SpectrumChoice choice{.entry = options.entry};
+  client::SpectrumChoice choice{.entry = options.entry, .use = options.use};
   if (options.interpolation) choice.interpolation = find_interpolation(*options.interpolation);
   if (options.as)
     choice.reading.as = *options.as == "emission"        ? Quantity::emission
@@ -128,9 +128,15 @@ std::optional<LoadedSpectrum> load_one(const SpectraOptions& options, const std:
   return loaded_or_told(client::load_one(file, choice_of(options)), report);
 }
 
+void tell_notes(const LoadedSpectrum& one, Report& report) {
+  for (const std::string& note : one.notes)
+    report.note({.field = {}, .file = {}, .message = one.label + ": " + note});
+}
+
 std::optional<Spectrum> load_for(Use use, const std::string& file, Report& report) {
   auto loaded = loaded_or_told(client::load_one(file, {.use = use}), report);
   if (!loaded) return std::nullopt;
+  tell_notes(*loaded, report);
   return loaded->spectrum();
 }
 
@@ -138,7 +144,10 @@ std::optional<Spectrum> load_light(const std::string& word, const std::string& o
                                    Report& report) {
   auto light = loaded_or_told(client::load_one(word, {.use = Use::emission}), report);
   if (!light) return std::nullopt;
-  const std::string fault = client::emission_fault(light->samples);
+  tell_notes(*light, report);
+  const std::string fault = light->emission()
+                                ? client::emission_fault(light->samples)
+                                : metamer::quoted(word) + " is a reflectance, no light";
   if (fault.empty()) return light->spectrum();
   report.error(option + ": " + fault);
   return std::nullopt;

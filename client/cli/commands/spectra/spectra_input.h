@@ -22,6 +22,7 @@ struct SpectraOptions {
   std::optional<std::string> unit;           ///< "nm", "um"
   std::optional<std::string> scale;          ///< "1", "percent"
   bool clamp = false;                        ///< Values out of range become the nearest in it.
+  Use use = Use::any;                        ///< What files are needed for.
   std::optional<std::string> interpolation;  ///< "linear", "sprague", "monotone-cubic"
   std::string observer = "cie-1931-2deg";    ///< Or "cie-1964-10deg", or a file.
   std::string under = "D65";                 ///< The light of reflectances.
@@ -45,6 +46,8 @@ std::optional<std::vector<client::LoadedSpectrum>> load_spectra(
 /// The same, where only one will do.
 std::optional<client::LoadedSpectrum> load_one(const SpectraOptions& options,
                                                const std::string& file, Report& report);
+/// What was guessed of a file, as notes.
+void tell_notes(const client::LoadedSpectrum& one, Report& report);
 /// One for a use: as the file says, else as the use wants it.
 std::optional<Spectrum> load_for(Use use, const std::string& file, Report& report);
 /// A light: a file, or a CIE illuminant. `option` stands in errors.

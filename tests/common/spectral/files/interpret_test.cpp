@@ -61,7 +61,7 @@ TEST(Interpret, NeverTakesPercentsForOneInSilence) {
   const SpectrumFile silent{.format = "pairs"};
   const Interpreted guessed = taken(silent, {4, 80}, {}, Use::property);
   EXPECT_EQ(guessed.spectrum.values, (std::vector<double>{0.04, 0.8}));
-  EXPECT_EQ(guessed.notes, Notes{"taken for percents, as its values reach 80"});
+  EXPECT_EQ(guessed.notes, Notes{"taken for percents, as the file's values reach 80"});
   EXPECT_EQ(taken(silent, {0.5, 0.8}, {.scale = Scale::percent}, Use::property).spectrum.values,
             (std::vector<double>{0.005, 0.008}));
   const SpectrumFile normed{.format = "CGATS", .scale = Scale::one};
@@ -71,6 +71,15 @@ TEST(Interpret, NeverTakesPercentsForOneInSilence) {
       "leaves out, or another scale");
   EXPECT_EQ(taken(silent, {4, 80}, {}, Use::emission).spectrum.values,
             (std::vector<double>{4, 80}));
+}
+
+TEST(Interpret, TakesAllSpectraOfAFileByOneScale) {
+  const SpectrumFile file{.format = "pairs",
+                          .spectra = {{"black", of({0.5, 0.8})}, {"white", of({85, 86})}}};
+  EXPECT_EQ(taken(file, {0.5, 0.8}, {}, Use::property).spectrum.values,
+            (std::vector<double>{0.005, 0.008}));
+  EXPECT_EQ(taken(file, {0.5, 0.8}, {}, Use::property).notes,
+            Notes{"taken for percents, as the file's values reach 86"});
 }
 
 TEST(Interpret, ClampsOnRequestAndCounts) {

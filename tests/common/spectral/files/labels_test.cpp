@@ -56,9 +56,11 @@ TEST(Labels, TellUnitsAndPercents) {
        {"Wavelength [µm]", "Wavelength (um)", "lambda/um", "microns", "wl_um"})
     EXPECT_EQ(unit_in(heading), WavelengthUnit::um) << heading;
   EXPECT_FALSE(unit_in("wavelength"));
-  for (const char* heading : {"R [%]", "%R", "Reflectance (%)", "R / %", "percent", "%"})
+  for (const char* heading : {"R [%]", "%R", "Reflectance (%)", "R / %", "percent", "%",
+                              "Reflectance %", "Reflectance, %", "% Reflectance", "%Reflectance",
+                              "Remission %", "Reflectance in %", "pct"})
     EXPECT_TRUE(says_percent(heading)) << heading;
-  for (const char* heading : {"cotton 100%", "100% wool", "R", ""})
+  for (const char* heading : {"cotton 100%", "100 % wool", "R", ""})
     EXPECT_FALSE(says_percent(heading)) << heading;
 }
 
@@ -69,6 +71,23 @@ TEST(Labels, TellWhatIsMeasuredWhereWordsAgree) {
   EXPECT_EQ(quantity_in("radiance"), Quantity::emission);
   EXPECT_EQ(quantity_in("reflectance and transmittance"), std::nullopt);
   EXPECT_EQ(quantity_in("paint"), std::nullopt);
+}
+
+TEST(Labels, TellWhatIsNoSpectrumByWavelength) {
+  EXPECT_EQ(unusable_axis("Frequency (THz)"), "frequencies");
+  for (const char* heading : {"cm-1", "Wavenumber (cm^-1)", "Raman shift"})
+    EXPECT_EQ(unusable_axis(heading), "wavenumbers") << heading;
+  EXPECT_EQ(unusable_axis("Energy (eV)"), "energies");
+  EXPECT_EQ(unusable_axis("Wavelength (Å)"), "ångströms");
+  EXPECT_EQ(unusable_axis("lambda (m)"), "metres");
+  for (const char* heading : {"Wavelength (nm)", "µm", ""}) EXPECT_EQ(unusable_axis(heading), "");
+  EXPECT_EQ(unusable_quantity("Absorbance"), "absorbance");
+  EXPECT_EQ(unusable_quantity("OD"), "density");
+  EXPECT_EQ(unusable_quantity("K/S"), "K/S");
+  EXPECT_EQ(unusable_quantity("log10 R"), "a logarithm");
+  EXPECT_EQ(unusable_quantity("Photon flux (µmol/m²/s/nm)"), "a number of photons");
+  for (const char* heading : {"Reflectance", "red", "irradiance W/m2", "code"})
+    EXPECT_EQ(unusable_quantity(heading), "") << heading;
 }
 
 }  // namespace

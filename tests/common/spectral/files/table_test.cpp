@@ -147,5 +147,57 @@ TEST(Table, LocatesWhatIsWrong) {
             "t.csv:3:1: error: expected 4 cells as on line 1, not 3");
 }
 
+TEST(Table, OneColumnInPercentsMakesNoOtherOne) {
+  const SpectrumFile file = table("nm,a [%],b [1]\n400,10,0.5\n500,20,0.25\n");
+  EXPECT_EQ(file.scale, Scale::percent);
+  EXPECT_EQ(file.spectra[0].spectrum.values, (std::vector<double>{10, 20}));
+  EXPECT_EQ(file.spectra[1].spectrum.values, (std::vector<double>{50, 25}));
+  EXPECT_EQ(table("Spectral reflectance factor (%)\nnm,a\n400,0.5\n500,0.6\n").scale,
+            Scale::percent);
+  EXPECT_EQ(table("Reflectance %,400,500,600\nred,1,2,3\n").scale, Scale::percent);
+  EXPECT_FALSE(table("Humidity: 45 %\nnm,a\n400,0.5\n500,0.6\n").scale);
+}
+
+TEST(Table, MayCallItsSamplesByNumbers) {
+  for (const char* heading : {"wavelength,400,500,600", "nm,101,102,103", "nm,1,2,3"}) {
+    const SpectrumFile file = table(std::string(heading) + "\n400,1,2,3\n410,4,5,6\n");
+    ASSERT_EQ(file.spectra.size(), 3U) << heading;
+    EXPECT_EQ(file.spectra[1].spectrum, (Spectrum{{400, 410}, {2, 5}})) << heading;
+  }
+  EXPECT_EQ(table("nm,101,102\n400,1,2\n410,4,5\n").spectra[0].name, "101");
+}
+
+TEST(Table, IsNamedByTheLineAboveItsData) {
+  const SpectrumFile file = table("Operator,me,\nDate,x,5\nnm,a,b\n400,1,2\n410,3,4\n");
+  EXPECT_EQ(file.spectra.at(0).name, "a");
+  EXPECT_EQ(file.spectra.at(1).name, "b");
+  EXPECT_EQ(table("nm;Wool;Linen\n;%;%\n400;10;20\n410;30;40\n").spectra.at(1).name, "Linen");
+}
+
+TEST(Table, OfOtherAxesAndQuantitiesIsRefused) {
+  EXPECT_EQ(table_error("Frequency (THz),R\n428,0.1\n500,0.2\n"),
+            "t.csv:1:1: error: wavelengths in nm or µm are needed, not frequencies");
+  EXPECT_EQ(table_error("nm,Absorbance\n400,0.1\n500,0.2\n"),
+            "t.csv:1:4: error: absorbance is neither a reflectance, a transmittance nor a power");
+  EXPECT_EQ(
+      table_error("nm,a,nm,b\n400,1,395,2\n410,1,405,2\n"),
+      "t.csv:1:6: error: a second column of wavelengths: a table has one; give each its own file");
+  EXPECT_EQ(
+      table_error("XAxis mode: Raman Shifts\n>>>>>Begin Spectral Data<<<<<\n400\t1\n410\t2\n"),
+      "t.csv:1:1: error: wavelengths are needed, and the file has another axis");
+}
+
+TEST(Table, OfALampTwiceIsTheFinerOne) {
+  const std::string coarse = "Spectral Data 380[nm],1\nSpectral Data 385[nm],2\n";
+  const std::string fine =
+      "Spectral Data 380[nm],1\nSpectral Data 381[nm],3\nSpectral Data 382[nm],4\n";
+  EXPECT_EQ(only_of("Sekonic,C-7000\n" + coarse + fine), (Spectrum{{380, 381, 382}, {1, 3, 4}}));
+  EXPECT_EQ(only_of("Sekonic,C-7000\n" + fine + coarse), (Spectrum{{380, 381, 382}, {1, 3, 4}}));
+}
+
+TEST(Table, TakesDecimalCommasInQuotes) {
+  EXPECT_EQ(only_of("380,\"0,25\"\n390,\"0,5\"\n400,\"0,125\"\n"), fabric);
+}
+
 }  // namespace
 }  // namespace metamer

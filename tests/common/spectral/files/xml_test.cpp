@@ -71,7 +71,7 @@ TEST(Cxf, LocatesWhatIsWrong) {
       "a.cxf:2:79: error: neither the spectrum nor its ColorSpecification \"CS1\" has StartWL");
   EXPECT_EQ(xml_error("<CxF>\n<Object><ReflectanceSpectrum StartWL=\"4\" Increment=\"0\">1 "
                       "2</ReflectanceSpectrum></Object></CxF>"),
-            "a.cxf:2:10: error: wavelength 4 is repeated");
+            "a.cxf:2:10: error: Increment must be above 0");
   EXPECT_EQ(xml_error("<CxF>\n<Object><ReflectanceSpectrum StartWL=\"400\">x</ReflectanceSpectrum>"
                       "</Object></CxF>"),
             "a.cxf:2:10: error: \"x\" is not a number");
