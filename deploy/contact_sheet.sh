@@ -4,7 +4,7 @@ make_contact_sheet() {
   local font=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf
   local width=960 height=640 left=250 top=110 gap=12 bottom=90
   local names=("D65, daylight" "A, tungsten" "F11, fluorescent")
-  local words=("every wavelength" "3 numbers")
+  local words=("whole spectra" "3 numbers")
   local white=color=0.95,0.95,0.95 grey=color=0.65,0.65,0.65
   local sheet_width=$((left + 3 * (width + gap))) sheet_height=$((top + 2 * (height + gap) + bottom))
   local row column x y
