@@ -33,6 +33,10 @@ std::vector<double> positions(double step) {
 
 }  // namespace
 
+bool names_temperature(std::string_view name) {
+  return kelvin_of(name) || (name.starts_with("D:") && kelvin_of(name.substr(2)));
+}
+
 Result<Spectrum> illuminant_named(std::string_view name) {
   if (const Spectrum* table = cie::illuminant(name)) return *table;
   if (name.starts_with("D:"))

@@ -12,6 +12,9 @@ namespace metamer {
 /// hottest_kelvin). Errors: no such name (with "did you mean"), a temperature out of range.
 Result<Spectrum> illuminant_named(std::string_view name);
 
+/// Whether a name is that of daylight or a black body, at a temperature that may be out of range.
+bool names_temperature(std::string_view name);
+
 /// A black body that is colder has no light that f64 could hold beside its red; one that is hotter
 /// has the colour of this one.
 inline constexpr double coldest_kelvin = 500, hottest_kelvin = 1e6;

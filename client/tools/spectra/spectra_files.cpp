@@ -14,9 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-tl::unexpected<Problem> no_such(const std::string& word, const Problem& light) {
-  // What is almost a temperature is told so.
-  if (light.message.find("out of range") != std::string::npos) return problem(light.message);
+tl::unexpected<Problem> no_such(const std::string& word) {
   std::vector<std::string> known = cie::illuminant_names();
   known.insert(known.end(), cie::test_color_names().begin(), cie::test_color_names().end());
   return problem("there is no file, CIE illuminant or test colour " + metamer::quoted(word) +
@@ -68,7 +66,8 @@ Result<std::vector<LoadedSpectrum>> find_spectra(const std::string& word,
   } else if (auto light = illuminant_named(word)) {
     one.samples = std::move(*light);
   } else {
-    return no_such(word, light.error());
+    if (names_temperature(word)) return tl::unexpected(std::move(light.error()));
+    return no_such(word);
   }
   if (choice.reading.as) one.quantity = *choice.reading.as;
   return std::vector{std::move(one)};

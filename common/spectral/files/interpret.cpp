@@ -14,16 +14,6 @@ constexpr double surely_percent = 5;
 
 bool is_property(Quantity quantity) { return quantity != Quantity::emission; }
 
-/// Of all the spectra of a file: one is written as the others.
-double largest(const SpectrumFile& file, const Spectrum& spectrum) {
-  double most = *std::max_element(spectrum.values.begin(), spectrum.values.end());
-  for (const NamedSpectrum& other : file.spectra)
-    if (!other.spectrum.values.empty())
-      most = std::max(
-          most, *std::max_element(other.spectrum.values.begin(), other.spectrum.values.end()));
-  return most;
-}
-
 /// What a spectrum is, where nobody said it.
 Quantity guessed(const SpectrumFile& file, const Spectrum& spectrum,
                  std::vector<std::string>& notes) {
@@ -45,7 +35,9 @@ Scale scale_of(const SpectrumFile& file, const Spectrum& spectrum, const Reading
                std::vector<std::string>& notes) {
   if (reading.scale) return *reading.scale;
   if (file.scale) return *file.scale;
-  const double most = largest(file, spectrum);
+  // One spectrum of a file is written as the others.
+  const double own = *std::max_element(spectrum.values.begin(), spectrum.values.end());
+  const double most = std::max(file.largest, own);
   if (most <= surely_percent) return Scale::one;
   notes.push_back("taken for percents, as the file's values reach " + number_text(most));
   return Scale::percent;

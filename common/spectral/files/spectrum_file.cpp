@@ -157,9 +157,10 @@ Result<SpectrumFile> read_spectrum_file(std::string_view bytes, const std::strin
   for (RawSpectrum& raw : contents->spectra) {
     auto named = by_nm(std::move(raw), unit ? unit : contents->unit, file);
     if (!named) return tl::unexpected(std::move(named.error()));
+    const std::vector<double>& values = named->spectrum.values;
+    result.largest = std::max(result.largest, *std::max_element(values.begin(), values.end()));
     result.spectra.push_back(std::move(*named));
   }
-  result.text = std::move(*text);
   return result;
 }
 

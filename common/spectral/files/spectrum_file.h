@@ -27,10 +27,10 @@ enum class Scale { one, percent };
 /// A file of spectra, and what it says of them itself.
 struct SpectrumFile {
   std::string format;                       ///< "CGATS", "table", …: for people.
-  std::string text = {};                    ///< In UTF-8: the lines that errors name.
   std::optional<Quantity> quantity = {};    ///< Nothing: the file does not say.
   std::optional<Scale> scale = {};          ///< The same; values are as written there.
   std::vector<NamedSpectrum> spectra = {};  ///< At least one; nm, rising.
+  double largest = 0;                       ///< Of all their values.
 };
 
 /// Reads any of the formats, told apart by their content:

@@ -47,7 +47,8 @@ std::optional<Wide> find_wide(const Lines& lines) {
     const Lines::Line& line = lines.all()[i];
     if (line.comment) continue;
     for (const Dialect& dialect : dialects) {
-      Wide found = spectral_columns(cut(line.text, line.number, dialect), dialect);
+      const Row top = cut(line.text, line.number, dialect);
+      Wide found = spectral_columns(top, dialect);
       if (found.columns.size() <= (best ? best->columns.size() : 0)) continue;
       // The next line decides between decimal signs.
       const Lines::Line& next = lines.all()[i + 1];
@@ -55,7 +56,6 @@ std::optional<Wide> find_wide(const Lines& lines) {
       if (found.columns.back() >= row.size()) continue;
       // Samples may be called by numbers: a heading of wavelengths above some decides.
       const auto below = number_in(row.front(), dialect);
-      const Row top = cut(line.text, line.number, dialect);
       if (says_wavelength(top.front().text) && below && *below >= 100) continue;
       const auto sound = std::all_of(
           found.columns.begin(), found.columns.end(),

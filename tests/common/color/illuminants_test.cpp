@@ -64,6 +64,10 @@ TEST(Illuminants, SayWhatIsWrongWithAName) {
   EXPECT_EQ(fault_of("D66"), "\"D66\" is not a standard illuminant; did you mean \"D65\"?");
   EXPECT_EQ(fault_of("D:3000K"), "\"D:3000K\" is out of range: daylight may have 4000 to 25000 K");
   EXPECT_EQ(fault_of("499K"), "\"499K\" is out of range: a black body may have 500 to 1e+06 K");
+  for (const char* name : {"D:3000K", "D:6504K", "499K", "2856K"})
+    EXPECT_TRUE(names_temperature(name)) << name;
+  for (const char* name : {"D65", "D66", "K", "D:", "K2"})
+    EXPECT_FALSE(names_temperature(name)) << name;
   EXPECT_EQ(fault_of("D:4000K"), "no error");
   EXPECT_EQ(fault_of("D:25000K"), "no error");
   EXPECT_EQ(fault_of("5003.5K"), "no error");

@@ -75,7 +75,8 @@ TEST(Interpret, NeverTakesPercentsForOneInSilence) {
 
 TEST(Interpret, TakesAllSpectraOfAFileByOneScale) {
   const SpectrumFile file{.format = "pairs",
-                          .spectra = {{"black", of({0.5, 0.8})}, {"white", of({85, 86})}}};
+                          .spectra = {{"black", of({0.5, 0.8})}, {"white", of({85, 86})}},
+                          .largest = 86};
   EXPECT_EQ(taken(file, {0.5, 0.8}, {}, Use::property).spectrum.values,
             (std::vector<double>{0.005, 0.008}));
   EXPECT_EQ(taken(file, {0.5, 0.8}, {}, Use::property).notes,

@@ -86,7 +86,7 @@ TEST(ObserverFile, OfColordsTablesIsTheBuiltInObserver) {
   for (const auto& [name, cie] : {std::pair{"CIE1931-2deg-XYZ", cie::observer_1931()},
                                   std::pair{"CIE1964-10deg-XYZ", cie::observer_1964()}}) {
     std::ifstream stream("/usr/share/colord/cmf/" + std::string(name) + ".cmf", std::ios::binary);
-    if (!stream) GTEST_SKIP() << "no colord-data";
+    ASSERT_TRUE(stream) << "colord-data, which the build needs";
     const auto own = parse_observer(std::string(std::istreambuf_iterator<char>(stream), {}), name);
     ASSERT_TRUE(own) << format(own.error());
     EXPECT_EQ(own->functions(), cie.functions());

@@ -76,6 +76,10 @@ TEST(Table, LeavesOutWhatACellDoesNotSay) {
   EXPECT_EQ(file.spectra[1].spectrum, (Spectrum{{390, 400}, {3, 4}}));
 }
 
+TEST(Table, KnowsTheLargestOfAllItsValues) {
+  EXPECT_EQ(table("nm,a,b\n400,1,85\n500,2,3\n").largest, 85);
+}
+
 TEST(Table, WithoutAValueIsNone) {
   EXPECT_EQ(table_error("nm,a\n380,\n390,\n"),
             "t.csv: error: the file has wavelengths, but no values");
