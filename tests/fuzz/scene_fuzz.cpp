@@ -58,6 +58,12 @@ bool same(const std::vector<Problem>& a, const std::vector<Problem>& b) {
   });
 }
 
+/// What is known only when a file has been read: the file, its entry, how its samples are joined.
+bool is_of_a_file(const std::string& field) {
+  return field == "settings.observer_file" || field.ends_with(".file") ||
+         field.ends_with(".entry") || field.ends_with(".interpolation");
+}
+
 /// What follows from a scene without findings.
 void check_sound(const v1::Scene& scene, const std::string& files) {
   const v1::Settings settings = metamer::with_defaults(scene.settings());
@@ -68,8 +74,7 @@ void check_sound(const v1::Scene& scene, const std::string& files) {
   const auto problems = metamer::validate_spectra(
       scene, [&](const std::string&) -> metamer::Result<std::string> { return files; });
   for (const Problem& problem : problems) {
-    check(problem.field.ends_with(".file") || problem.field.ends_with(".entry"),
-          "only files are wrong in a sound scene's spectra");
+    check(is_of_a_file(problem.field), "only files are wrong in a sound scene's spectra");
     if (!problem.file.empty() && problem.line > 0)
       check_place(problem, metamer::utf8_text(files, name).value_or(files));
   }
