@@ -19,6 +19,10 @@ void check_mesh(const v1::Mesh& mesh, const std::string& field, Findings& findin
     findings.add(field + ".file",
                  "file must end in .ply, .obj, .gltf or .glb (it is " + quoted(mesh.file()) + ")");
   }
+  if (const double angle = mesh.crease_angle(); !(angle >= 0 && angle <= 180)) {
+    findings.add(field + ".crease_angle",
+                 "crease_angle must be 0 to 180 degrees (it is " + number_text(angle) + ")");
+  }
 }
 
 void check_quad(const v1::Quad& quad, const std::string& field, Findings& findings) {
