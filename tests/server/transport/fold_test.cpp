@@ -50,23 +50,44 @@ std::vector<double> banded(const Gather& gather, std::size_t bands, Light light,
 }
 
 /// By a sum over narrow cells.
-Xyz spectral(const RenderScene& scene, const Gather& gather) {
-  static const Wavelengths wavelengths = dense();
-  const ObserverWeights observer = observer_weights(cie::observer_1931(), wavelengths);
-  return to_xyz(
-      observer,
-      banded(
-          gather, wavelengths.size(),
-          [&](std::uint32_t light) {
-            const RenderLight& own = scene.lights[light];
-            auto power =
-                resample(scene.emissions[own.emission], wavelengths.nm(), Outside::zero).values;
-            const double y = to_xyz(observer, power)[1];
-            for (double& value : power) value *= own.luminance / y;
-            return power;
-          },
-          [&](const FactorNode& node) { return values_of(scene, node, wavelengths.nm()); }));
-}
+class NarrowCells {
+ public:
+  explicit NarrowCells(const RenderScene& scene)
+      : scene_(scene),
+        wavelengths_(dense()),
+        observer_(observer_weights(cie::observer_1931(), wavelengths_)) {}
+
+  Xyz operator()(const Gather& gather) {
+    return to_xyz(observer_, banded(
+                                 gather, wavelengths_.size(),
+                                 [this](std::uint32_t light) { return power(light); },
+                                 [this](const FactorNode& node) { return values(node); }));
+  }
+
+ private:
+  const std::vector<double>& power(std::uint32_t light) {
+    const auto [place, is_new] = powers_.try_emplace(light);
+    if (is_new) {
+      const RenderLight& own = scene_.lights[light];
+      place->second =
+          resample(scene_.emissions[own.emission], wavelengths_.nm(), Outside::zero).values;
+      const double y = to_xyz(observer_, place->second)[1];
+      for (double& value : place->second) value *= own.luminance / y;
+    }
+    return place->second;
+  }
+  const std::vector<double>& values(const FactorNode& node) {
+    const auto [place, is_new] = values_.try_emplace(node);
+    if (is_new) place->second = values_of(scene_, node, wavelengths_.nm());
+    return place->second;
+  }
+
+  const RenderScene& scene_;
+  Wavelengths wavelengths_;
+  ObserverWeights observer_;
+  std::map<std::uint32_t, std::vector<double>> powers_;
+  std::map<FactorNode, std::vector<double>> values_;
+};
 
 /// By the bands that a method has made for a GPU, one vector a light and a row.
 Xyz by_tables(const RenderScene& scene, const DirectTables& tables, const Gather& gather) {
@@ -148,12 +169,13 @@ TEST(Fold, OfEveryMethodIsTheSumOverTheWays) {
     const auto scratch = method->make_scratch();
     const DirectTables tables = method->direct_tables();
     std::optional<Matrices> matrices;
+    NarrowCells narrow(scene);
     if (plan.method().has_linear()) matrices.emplace(scene, plan.method().linear());
     std::mt19937 random(1);
     for (int i = 0; i < gathers; ++i) {
       const Gather gather = random_gather(scene, random);
       const Xyz expected = matrices                    ? (*matrices)(gather)
-                           : plan.method().has_exact() ? spectral(scene, gather)
+                           : plan.method().has_exact() ? narrow(gather)
                                                        : by_tables(scene, tables, gather);
       expect_near(method->resolve(gather, 1, *scratch), expected, 2e-5);
     }
@@ -163,10 +185,11 @@ TEST(Fold, OfEveryMethodIsTheSumOverTheWays) {
 TEST(Fold, OfTheReferenceIsTheSumOverTheWays) {
   const RenderScene scene = transport_scene();
   Reference reference(scene, cie::observer_1931());
+  NarrowCells narrow(scene);
   std::mt19937 random(2);
   for (int i = 0; i < gathers; ++i) {
     const Gather gather = random_gather(scene, random);
-    const Xyz xyz = reference.resolve(gather, 0.5), expected = spectral(scene, gather);
+    const Xyz xyz = reference.resolve(gather, 0.5), expected = narrow(gather);
     for (std::size_t axis = 0; axis < 3; ++axis)
       EXPECT_NEAR(xyz[axis], 0.5 * expected[axis], 1e-7 * (1e-3 + expected[1]));
   }
@@ -177,6 +200,7 @@ TEST(Fold, OfTheFactorsThatAreKeptIsTheSumOverTheWays) {
   struct Nothing : PixelSink {
     void take(std::uint32_t, std::uint32_t, const Gather&) override {}
   } nothing;
+  NarrowCells narrow(scene);
   std::mt19937 random(3);
   for (int i = 0; i < gathers; ++i) {
     const Gather gather = random_gather(scene, random);
@@ -201,7 +225,7 @@ TEST(Fold, OfTheFactorsThatAreKeptIsTheSumOverTheWays) {
       again.add(chains[kept.signature_product(s)], kept.signature_light(s),
                 MessageTerms::signature_factor(kept, s), kept.weight(k));
     }
-    const Xyz one = spectral(scene, again), other = spectral(scene, gather);
+    const Xyz one = narrow(again), other = narrow(gather);
     for (std::size_t axis = 0; axis < 3; ++axis)
       EXPECT_NEAR(one[axis], other[axis], 2e-6 * (1e-3 + other[1]));
   }
