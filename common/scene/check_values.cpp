@@ -21,14 +21,7 @@ class Walk {
   Walk(std::string path, Findings& findings) : path_(std::move(path)), findings_(findings) {}
 
   void check(const Message& message) {
-    // Name what a newer client sent and this version would silently leave out.
-    const auto& unknown = message.GetReflection()->GetUnknownFields(message);
-    if (!unknown.empty()) {
-      findings_.add(path_, message.GetDescriptor()->name() +
-                               " has a field that this version does not know (number " +
-                               std::to_string(unknown.field(0).number()) + ")");
-    }
-
+    check_fields_known(message, path_, findings_);
     std::vector<const FieldDescriptor*> fields;
     message.GetReflection()->ListFields(message, &fields);
     for (const FieldDescriptor* field : fields) {
@@ -129,6 +122,14 @@ class Walk {
 };
 
 }  // namespace
+
+void check_fields_known(const Message& message, const std::string& field, Findings& findings) {
+  const auto& unknown = message.GetReflection()->GetUnknownFields(message);
+  if (unknown.empty()) return;
+  findings.add(field, message.GetDescriptor()->name() +
+                          " has a field that this version does not know (number " +
+                          std::to_string(unknown.field(0).number()) + ")");
+}
 
 bool check_values(const Message& message, const std::string& field, Findings& findings) {
   const std::size_t before = findings.size();

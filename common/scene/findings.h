@@ -35,6 +35,11 @@ void check_range(double value, double low, double high, const std::string& field
 /// True when `text` is well-formed UTF-8 (RFC 3629).
 bool is_utf8(std::string_view text);
 
+/// Names what a newer client has put into the message itself and this version would silently leave
+/// out.
+void check_fields_known(const google::protobuf::Message& message, const std::string& field,
+                        Findings& findings);
+
 /// What must hold of every value of a message, whatever it means, found by reflection so that a new
 /// field needs no line here: numbers finite and within limits::max_coordinate, text UTF-8 without
 /// control characters and not over limits::max_text, enum values known, no field that this version

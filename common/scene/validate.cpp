@@ -112,6 +112,7 @@ void check_objects(const v1::Scene& scene, Names& materials, Findings& findings)
 
 std::vector<Problem> validate_scene(const v1::Scene& scene) {
   Findings findings;
+  check_fields_known(scene, "scene", findings);
   if (scene.has_camera()) {
     check_camera(scene.camera(), "camera", findings);
   } else {

@@ -55,6 +55,9 @@ TEST(SceneValidate, AFieldOfALaterVersionIsNamed) {
   ASSERT_TRUE(scene.ParseFromString(std::string("\x0a\x03\xf8\x3f\x01", 5)));
   EXPECT_EQ(describe(validate_scene(scene)).front(),
             "camera: Camera has a field that this version does not know (number 1023)");
+  ASSERT_TRUE(scene.ParseFromString(std::string("\xf8\x3f\x01", 3)));
+  EXPECT_EQ(describe(validate_scene(scene)).front(),
+            "scene: Scene has a field that this version does not know (number 1023)");
 }
 
 TEST(SceneValidate, Camera) {
@@ -173,7 +176,10 @@ TEST(SceneValidate, Shapes) {
   EXPECT_EQ(shape("mesh { file: \"a.stl\" }"),
             Strings({"object[0].mesh.file: file must end in .ply, .obj, .gltf or .glb (it is "
                      "\"a.stl\")"}));
-  EXPECT_EQ(shape("mesh { file: \"A.PLY\" }"), Strings());
+  EXPECT_EQ(shape("mesh { file: \"A.PLY\" crease_angle: 180 }"), Strings());
+  EXPECT_EQ(
+      shape("mesh { file: \"a.ply\" crease_angle: -1 }"),
+      Strings({"object[0].mesh.crease_angle: crease_angle must be 0 to 180 degrees (it is -1)"}));
   EXPECT_EQ(shape("quad { v { y: 1 } }"), Strings({"object[0].quad.u: u must not be 0"}));
   EXPECT_EQ(shape("quad { u { x: 1 } }"), Strings({"object[0].quad.v: v must not be 0"}));
   EXPECT_EQ(shape("quad { u { x: 1 y: 2 } v { x: -2 y: -4 } }"),
