@@ -2,10 +2,11 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <utility>
 
-#include "common/image/exr.h"
 #include "common/image/picture_file.h"
+#include "common/image/read_exr.h"
 
 namespace metamer {
 namespace {
@@ -36,12 +37,20 @@ auto call(Function FileFormats::*function, Arguments&&... arguments)
   return ((*formats())->*function)(std::forward<Arguments>(arguments)...);
 }
 
-/// Says why nothing can be there to be read; empty: nothing speaks against it.
-std::string objection(const std::filesystem::path& file) {
-  if (format_of(file).empty())
-    return "pictures are read from .png or .exr, not from " + quoted(file.extension().string());
-  std::error_code error;
-  return std::filesystem::exists(file, error) ? "" : "no such file";
+/// All channels of a file's first part, R, G, B and A first.
+Result<Image> read_first_part(const std::filesystem::path& file) {
+  const auto parts = read_exr_parts(file);
+  if (!parts) return tl::unexpected<Problem>(parts.error());
+  std::vector<std::string> names;
+  for (const ExrChannel& channel : parts->front().channels) names.push_back(channel.name);
+  std::stable_sort(names.begin(), names.end(), [](const std::string& a, const std::string& b) {
+    const std::string first = "RGBA";
+    const auto rank = [&](const std::string& name) {
+      return name.size() == 1 ? std::min(first.find(name), first.size()) : first.size();
+    };
+    return rank(a) < rank(b);
+  });
+  return read_exr(file, *parts, 0, names);
 }
 
 }  // namespace
@@ -52,14 +61,12 @@ Result<void> load_file_formats() {
 }
 
 Result<ImageHeader> read_header(const std::filesystem::path& file) {
-  if (const std::string wrong = objection(file); !wrong.empty()) return file_problem(file, wrong);
-  return format_of(file) == "exr" ? read_exr_header(file)
-                                  : call(&FileFormats::read_png_header, file);
+  return call(&FileFormats::read_png_header, file);
 }
 
 Result<Image> read_image(const std::filesystem::path& file) {
-  if (const std::string wrong = objection(file); !wrong.empty()) return file_problem(file, wrong);
-  return format_of(file) == "exr" ? read_exr(file) : call(&FileFormats::read_png, file);
+  if (const auto good = check_readable(file); !good) return tl::unexpected<Problem>(good.error());
+  return format_of(file) == "exr" ? read_first_part(file) : call(&FileFormats::read_png, file);
 }
 
 Result<Image> false_color(const Difference& difference, Metric metric, double top,

@@ -26,6 +26,15 @@ std::string first_line(const std::string& text) {
   return line.empty() ? "no reason given" : line;
 }
 
+Result<void> check_readable(const std::filesystem::path& file) {
+  if (format_of(file).empty())
+    return file_problem(
+        file, "pictures are read from .png or .exr, not from " + quoted(file.extension().string()));
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return file_problem(file, "no such file");
+  return {};
+}
+
 Result<void> check_size(const std::filesystem::path& file, int width, int height,
                         std::size_t channels) {
   if (width <= 0 || height <= 0 || channels == 0)

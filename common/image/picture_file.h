@@ -17,6 +17,9 @@ tl::unexpected<Problem> file_problem(const std::filesystem::path& file, std::str
 /// What a library said, fit for one line of a message.
 std::string first_line(const std::string& text);
 
+/// Whether there is something to be read; the error says why not.
+Result<void> check_readable(const std::filesystem::path& file);
+
 /// Whether a picture that is to be read has pixels, and no more than max_image_values values.
 Result<void> check_size(const std::filesystem::path& file, int width, int height,
                         std::size_t channels);

@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "common/color/srgb.h"
-#include "common/color/xyz.h"
+#include "common/image/as_seen.h"
 #include "common/image/picture_file.h"
-#include "common/image/spectral_exr.h"
+#include "common/image/read_exr_xyz.h"
 
 namespace metamer {
 namespace {
@@ -48,15 +48,6 @@ Image converted(const Image& from, const ChannelIndices& indices, const Convert&
   return result;
 }
 
-/// The space of an EXR's chromaticities.
-Result<RgbSpace> space_of(const std::vector<float>& c) {
-  return make_rgb_space("", "", {{c[0], c[1]}, {c[2], c[3]}, {c[4], c[5]}, {c[6], c[7]}}, {})
-      .map_error([](Problem wrong) {
-        wrong.message = "its chromaticities make no RGB space: " + wrong.message;
-        return wrong;
-      });
-}
-
 /// The space of a .png that render wrote, "Display P3, linear"; nothing where it is another's.
 std::optional<std::pair<RgbSpace, Transfer>> written_space(const std::string& name) {
   for (const std::string& word : rgb_space_words()) {
@@ -65,12 +56,6 @@ std::optional<std::pair<RgbSpace, Transfer>> written_space(const std::string& na
     if (name == space.name + ", linear") return std::pair(space, Transfer{});
   }
   return std::nullopt;
-}
-
-/// RGB → X Y Z as a screen of D65 shows it: the white of the space becomes D65.
-Result<Matrix3> as_seen(const RgbSpace& space) {
-  return white_for_d65(space).map(
-      [&](const Matrix3& white) { return multiply(invert(white), space.to_xyz); });
 }
 
 Result<XyzPicture> from_png(const Image& image, const ImageHeader& header) {
@@ -96,86 +81,21 @@ Result<XyzPicture> from_png(const Image& image, const ImageHeader& header) {
   return result;
 }
 
-Result<XyzPicture> from_exr(const Image& image, const ImageHeader& header) {
-  XyzPicture result;
-  if (const auto indices = find_all(image.channels, {"X", "Y", "Z"})) {
-    result.image = converted(image, *indices, [](const Xyz& xyz) { return xyz; });
-    result.what = "X Y Z";
-    return result;
-  }
-  const auto indices = find_all(image.channels, {"R", "G", "B"});
-  if (!indices) {
-    std::string names;
-    for (std::size_t c = 0; c < std::min<std::size_t>(4, image.channels.size()); ++c)
-      names += (c ? ", " : "") + quoted(image.channels[c]);
-    return problem("the picture has neither X Y Z nor R G B nor a spectrum; its channels are " +
-                   names + (image.channels.size() > 4 ? ", …" : ""));
-  }
-
-  // sRGB's own matrix where nothing else is said, so that what `render` writes comes back.
-  const bool other = !header.chromaticities.empty() &&
-                     !std::equal(srgb_chromaticities.begin(), srgb_chromaticities.end(),
-                                 header.chromaticities.begin());
-  if (!other) {
-    result.image =
-        converted(image, *indices, [](const srgb::Rgb& rgb) { return srgb::to_xyz(rgb); });
-    result.what = "linear sRGB";
-    return result;
-  }
-  const auto space = space_of(header.chromaticities);
-  if (!space) return tl::unexpected<Problem>(space.error());
-  const auto to_xyz = as_seen(*space);
-  if (!to_xyz) return tl::unexpected<Problem>(to_xyz.error());
-  result.image = converted(image, *indices, [&](const Rgb& rgb) { return multiply(*to_xyz, rgb); });
-  result.what = "linear RGB of the file's own primaries";
-  return result;
-}
-
-Result<XyzPicture> from_spectra(const SpectralImage& spectra, const Viewing& viewing) {
-  if (spectra.reflectance && viewing.under == nullptr)
-    return problem("the picture is a reflectance: it needs a light (--under)");
-  if (const auto wrong = wrong_positions(spectra.nm)) return problem(*wrong);
-  const Result<ObserverWeights> observer =
-      spectra.reflectance
-          ? weights_under(viewing.weights, viewing.observer, *viewing.under, spectra.nm)
-          : observer_of_bands(viewing.observer, spectra.nm);
-  if (!observer) return tl::unexpected<Problem>(observer.error());
-  if (spectra.reflectance && to_xyz(*observer, std::vector<double>(spectra.nm.size(), 1.0))[1] == 0)
-    return problem("the observer sees nothing of the light");
-
-  XyzPicture result;
-  result.image = make_image(spectra.width, spectra.height, {"X", "Y", "Z"});
-  std::vector<double> power(spectra.nm.size());
-  for (std::size_t i = 0; i < result.image.pixels.size() / 3; ++i) {
-    std::copy_n(spectra.values.data() + i * power.size(), power.size(), power.begin());
-    const Xyz xyz = to_xyz(*observer, power);
-    for (std::size_t c = 0; c < 3; ++c) result.image.pixels[3 * i + c] = static_cast<float>(xyz[c]);
-  }
-  result.what = std::string(spectra.reflectance ? "a reflectance" : "an emission") + " at " +
-                std::to_string(power.size()) + (power.size() == 1 ? " wavelength" : " wavelengths");
-  if (spectra.polarised) result.what += ", its polarisation left aside";
-  result.units = spectra.units;
-  result.lit = spectra.reflectance;
-  return result;
-}
-
-Result<XyzPicture> read(const fs::path& file, const Viewing& viewing) {
-  if (format_of(file) == "exr") {
-    const auto spectra = read_spectral_exr(file);
-    if (!spectra) return tl::unexpected<Problem>(spectra.error());
-    if (*spectra) return from_spectra(**spectra, viewing);
-  }
+Result<XyzPicture> read_png_xyz(const fs::path& file) {
   const auto header = read_header(file);
   if (!header) return tl::unexpected<Problem>(header.error());
   const auto image = read_image(file);
   if (!image) return tl::unexpected<Problem>(image.error());
-  return format_of(file) == "png" ? from_png(*image, *header) : from_exr(*image, *header);
+  return from_png(*image, *header);
 }
 
 }  // namespace
 
-Result<XyzPicture> read_xyz(const fs::path& file, const Viewing& viewing) {
-  Result<XyzPicture> result = read(file, viewing);
+Result<XyzPicture> read_xyz(const fs::path& file, const Viewing& viewing,
+                            const PictureChoice& choice) {
+  if (const auto good = check_readable(file); !good) return tl::unexpected<Problem>(good.error());
+  Result<XyzPicture> result =
+      format_of(file) == "exr" ? read_exr_xyz(file, viewing, choice) : read_png_xyz(file);
   if (!result) return file_problem(file, result.error().message);
   return result;
 }

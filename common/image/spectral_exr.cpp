@@ -4,9 +4,9 @@
 #include <cassert>
 
 #include "common/color/srgb.h"
-#include "common/image/exr.h"
 #include "common/image/picture_file.h"
 #include "common/image/whole_file.h"
+#include "common/image/write_exr.h"
 #include "common/spectral/wavelengths.h"
 
 namespace metamer {
@@ -79,11 +79,12 @@ Result<void> check_distinct(const std::vector<Band>& bands, const std::vector<st
   return {};
 }
 
-Result<Bands> find_bands(const std::vector<std::string>& names) {
+/// Of channels whose names begin with `prefix` letters of a layer.
+Result<Bands> find_bands(const std::vector<std::string>& names, std::size_t prefix) {
   Bands result;
   bool emission = false;
   for (std::size_t c = 0; c < names.size(); ++c) {
-    const auto channel = parse_spectral_channel(names[c]);
+    const auto channel = parse_spectral_channel(std::string_view(names[c]).substr(prefix));
     if (!channel) return tl::unexpected<Problem>(channel.error());
     if (!*channel) continue;
     if ((*channel)->kind == Kind::polarisation) {
@@ -133,37 +134,33 @@ Result<void> write_spectral_exr(const SpectralImage& image, const Image& preview
   return {};
 }
 
-Result<std::optional<SpectralImage>> read_spectral_exr(const fs::path& file) {
-  // The header alone tells whether there is a spectrum, and how large it is.
-  const Result<ImageHeader> header = read_header(file);
-  if (!header) return tl::unexpected<Problem>(header.error());
-  const Result<Bands> found = find_bands(header->channels);
+Result<SpectralImage> read_spectral_layer(const fs::path& file, const std::vector<ExrPart>& parts,
+                                          const ExrLayer& layer) {
+  const std::size_t prefix = layer.layer.empty() ? 0 : layer.layer.size() + 1;
+  const Result<Bands> found = find_bands(layer.channels, prefix);
   if (!found) return file_problem(file, found.error().message);
-  if (found->bands.empty()) return std::nullopt;
-  Result<Image> image = read_image(file);
+  std::vector<std::string> channels;
+  for (const Band& band : found->bands) channels.push_back(layer.channels[band.channel]);
+  Result<Image> image = read_exr(file, parts, layer.part, channels);
   if (!image) return tl::unexpected<Problem>(image.error());
-  if (image->channels != header->channels) return file_problem(file, "the file has changed");
 
   SpectralImage result;
   result.width = image->width;
   result.height = image->height;
   result.reflectance = found->reflectance;
   result.polarised = found->polarised;
-  if (!found->reflectance) result.units = emissive_units(header->emissive_units);
+  if (!found->reflectance) result.units = emissive_units(parts[layer.part].emissive_units);
   for (const Band& band : found->bands) result.nm.push_back(band.nm);
-
-  // Sort each pixel's values, in place: they only move towards the front.
-  const std::size_t channels = image->channels.size(), bands = result.nm.size();
-  std::vector<float> pixel(bands);
-  const std::size_t pixels = image->pixels.size() / channels;
-  for (std::size_t i = 0; i < pixels; ++i) {
-    for (std::size_t b = 0; b < bands; ++b)
-      pixel[b] = image->pixels[i * channels + found->bands[b].channel];
-    std::copy(pixel.begin(), pixel.end(), image->pixels.data() + i * bands);
-  }
-  image->pixels.resize(pixels * bands);
   result.values = std::move(image->pixels);
   return result;
+}
+
+Result<std::optional<SpectralImage>> read_spectral_exr(const fs::path& file) {
+  const auto parts = read_exr_parts(file);
+  if (!parts) return tl::unexpected<Problem>(parts.error());
+  for (const ExrLayer& layer : find_layers(*parts))
+    if (layer.kind == ExrLayer::Kind::spectral) return read_spectral_layer(file, *parts, layer);
+  return std::nullopt;
 }
 
 }  // namespace metamer

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/image/exr_layers.h"
 #include "common/image/image.h"
 #include "common/image/spectral_names.h"
 
@@ -42,10 +43,14 @@ Result<void> write_spectral_exr(const SpectralImage& image, const Image& preview
                                 const std::filesystem::path& file,
                                 const std::map<std::string, std::string>& metadata);
 
-/// Reads it, sorted by wavelength: the file has its channels in the alphabet's order. Nothing where
-/// the file has no spectral channel. Errors name the file: a hostile name (see
-/// parse_spectral_channel), a wavelength in two channels, emission and reflectance in one file,
-/// only S1. to S3., more than Wavelengths::max_count wavelengths or max_image_values values.
+/// Reads it, sorted by wavelength: the file has its channels in the alphabet's order. `layer` is
+/// one of spectra that find_layers found. Errors name the file: those of read_exr, a hostile name
+/// (see parse_spectral_channel), a wavelength in two channels, emission and reflectance in one
+/// layer, only S1. to S3., more than Wavelengths::max_count wavelengths.
+Result<SpectralImage> read_spectral_layer(const std::filesystem::path& file,
+                                          const std::vector<ExrPart>& parts, const ExrLayer& layer);
+
+/// The same of a file's only spectra; nothing where it has none.
 Result<std::optional<SpectralImage>> read_spectral_exr(const std::filesystem::path& file);
 
 }  // namespace metamer

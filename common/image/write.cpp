@@ -2,12 +2,12 @@
 #include <cassert>
 
 #include "common/color/eight_bit.h"
-#include "common/image/exr.h"
 #include "common/image/icc.h"
 #include "common/image/image.h"
 #include "common/image/picture_file.h"
 #include "common/image/png.h"
 #include "common/image/whole_file.h"
+#include "common/image/write_exr.h"
 
 namespace metamer {
 namespace {

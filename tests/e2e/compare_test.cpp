@@ -118,6 +118,27 @@ TEST_F(CompareCommand, RefusesWhatMakesNoSense) {
             "error: the pictures differ in size: 4 × 3 and 3 × 4 pixels\n");
 }
 
+TEST_F(CompareCommand, FindsThePictureAmongPartsOrTakesTheOneThatIsNamed) {
+  const std::string cases = METAMER_TEST_DATA "/common/image/cases/";
+  const std::string parts = cases + "houdini.exr", rgb = cases + "rgb.exr";
+  const Ended found = metamer({"compare", parts, rgb, "--max", "0"});
+  EXPECT_EQ(found.code, 0) << found.out;
+  EXPECT_EQ(found.err, parts +
+                           ": note: part \"C\" is taken for the picture; beside it are part "
+                           "\"N\" (R G B), part \"albedo\" (R G B)\n");
+  EXPECT_EQ(metamer({"compare", "--part", "c", parts, rgb, "--max", "0"}).code, 0);
+  EXPECT_EQ(metamer({"compare", parts, parts, "--part", "C", "--part", "N", "--max", "1"}).code, 1);
+  const Json answer = parse_document(metamer({"compare", parts, rgb, "--json"}).out);
+  EXPECT_EQ(answer["a"]["what"], "linear sRGB, part \"C\"");
+  EXPECT_EQ(answer["notes"][0]["file"], parts);
+  const Ended none = metamer({"compare", rgb, rgb, "--layer", "diffuse"});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_EQ(none.err, "error: --part, --layer: neither picture has any\n");
+  EXPECT_EQ(metamer({"compare", parts, rgb, "--part", "P"}).code, 2);
+  EXPECT_EQ(metamer({"compare", parts, parts, "--part", "C", "--part", "C", "--part", "C"}).code,
+            2);
+}
+
 TEST_F(CompareCommand, TellsMetamersApartUnderASecondLight) {
   // Two reflectances that match under E: one flat, the other with what E's observer cannot see
   // added (its three sums are made zero by Gram and Schmidt).

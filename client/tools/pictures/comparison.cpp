@@ -10,12 +10,13 @@ namespace metamer::client {
 
 White srgb_white() { return {"D65 (sRGB)", srgb::to_xyz({1, 1, 1})}; }
 
-tl::expected<PicturePair, std::vector<Problem>> read_pair(const std::array<std::string, 2>& files,
-                                                          const Viewing& viewing) {
+tl::expected<PicturePair, std::vector<Problem>> read_pair(
+    const std::array<std::string, 2>& files, const Viewing& viewing,
+    const std::array<PictureChoice, 2>& choices) {
   PicturePair pictures;
   std::vector<Problem> problems;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    Result<XyzPicture> read = read_xyz(files[i], viewing);
+    Result<XyzPicture> read = read_xyz(files[i], viewing, choices[i]);
     if (read)
       pictures[i] = std::move(*read);
     else

@@ -24,10 +24,11 @@ White srgb_white();
 
 using PicturePair = std::array<XyzPicture, 2>;
 
-/// Both pictures as X Y Z. The errors are what is wrong with each file that can't be read, in
-/// their order.
-tl::expected<PicturePair, std::vector<Problem>> read_pair(const std::array<std::string, 2>& files,
-                                                          const Viewing& viewing);
+/// Both pictures as X Y Z, each as its choice means it. The errors are what is wrong with each file
+/// that can't be read, in their order.
+tl::expected<PicturePair, std::vector<Problem>> read_pair(
+    const std::array<std::string, 2>& files, const Viewing& viewing,
+    const std::array<PictureChoice, 2>& choices = {});
 
 /// Emissions compare in one unit; a file that names none is taken at its word. Error: two units.
 Result<void> same_units(const PicturePair& pictures);

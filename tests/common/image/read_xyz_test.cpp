@@ -125,9 +125,9 @@ TEST_F(ReadXyz, RefusesWhatHasNoColourToTell) {
     const auto picture = read_xyz(folder_ / name, {});
     return picture ? "none" : picture.error().message;
   };
-  write_pixel(folder_ / "a.exr", {"Y"}, {1});
+  write_pixel(folder_ / "a.exr", {"Z"}, {1});
   EXPECT_EQ(refused("a.exr"),
-            "the picture has neither X Y Z nor R G B nor a spectrum; its channels are \"Y\"");
+            "the picture has neither X Y Z nor R G B nor a spectrum; its channels are \"Z\"");
   write_pixel(folder_ / "b.exr", {"R", "G", "B"}, {1, 1, 1}, std::vector<float>(8, 0.3F));
   EXPECT_EQ(refused("b.exr"),
             "its chromaticities make no RGB space: red, green and blue must not lie on a line");

@@ -1,4 +1,6 @@
 // Two pictures, colour by colour. No server is asked.
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -34,6 +36,7 @@ struct CompareOptions {
   std::string under;                       ///< What lights reflectances: "F11"
   std::string observer = "cie-1931-2deg";  ///< or "cie-1964-10deg", or a file
   std::string weights = "lines";           ///< or "astm": what reflectances are between bands
+  std::vector<std::string> part, layer;    ///< Of an .exr: of both, or one of each.
 };
 
 Metric metric_of(const std::string& word) {
@@ -129,6 +132,38 @@ ExitCode judge(const Difference& difference, const CompareOptions& options, Repo
   return over ? ExitCode::other : ExitCode::done;
 }
 
+/// What --part and --layer say of each picture.
+Result<std::array<PictureChoice, 2>> choices_of(const CompareOptions& options) {
+  std::array<PictureChoice, 2> choices;
+  if (options.part.size() > 2) return problem("--part: there are two pictures");
+  if (options.layer.size() > 2) return problem("--layer: there are two pictures");
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!options.part.empty()) choices[i].part = options.part[std::min(i, options.part.size() - 1)];
+    if (!options.layer.empty())
+      choices[i].layer = options.layer[std::min(i, options.layer.size() - 1)];
+  }
+  return choices;
+}
+
+/// What is to be said of the pictures as they were read; false: that is an error.
+bool check_pictures(const client::PicturePair& pictures, const CompareOptions& options,
+                    Report& report) {
+  for (const auto& [file, picture] :
+       {std::pair(options.a, &pictures[0]), std::pair(options.b, &pictures[1])})
+    for (const std::string& note : picture->notes)
+      report.note({.field = {}, .file = file, .message = note});
+  if (!options.under.empty() && !pictures[0].lit && !pictures[1].lit)
+    report.error("--under: neither picture is a reflectance");
+  else if (!(options.part.empty() && options.layer.empty()) && !pictures[0].chosen &&
+           !pictures[1].chosen)
+    report.error("--part, --layer: neither picture has any");
+  else if (const auto same = client::same_units(pictures); !same)
+    report.error(same.error().message);
+  else
+    return true;
+  return false;
+}
+
 /// Both pictures; nothing when one can't be read, which is said.
 std::optional<client::PicturePair> read_both(const CompareOptions& options,
                                              const Observer& observer, Report& report) {
@@ -144,19 +179,17 @@ std::optional<client::PicturePair> read_both(const CompareOptions& options,
     light = std::move(*under);
     viewing.under = &light;
   }
-  auto pictures = client::read_pair({options.a, options.b}, viewing);
+  const auto choices = choices_of(options);
+  if (!choices) {
+    report.error(choices.error().message);
+    return std::nullopt;
+  }
+  auto pictures = client::read_pair({options.a, options.b}, viewing, *choices);
   if (!pictures) {
     for (const Problem& problem : pictures.error()) report.problem(problem, {});
     return std::nullopt;
   }
-  if (viewing.under && !(*pictures)[0].lit && !(*pictures)[1].lit) {
-    report.error("--under: neither picture is a reflectance");
-    return std::nullopt;
-  }
-  if (const auto same = client::same_units(*pictures); !same) {
-    report.error(same.error().message);
-    return std::nullopt;
-  }
+  if (!check_pictures(*pictures, options, report)) return std::nullopt;
   return std::move(*pictures);
 }
 
@@ -251,6 +284,12 @@ void declare(CompareOptions& values, Options& options) {
                      .target = &values.under,
                      .meaning = "the light of reflectances (T.): D65, D:6504K, 2856K or a file",
                      .type = "ILLUMINANT"});
+  for (const auto& [name, target] :
+       {std::pair("--part", &values.part), std::pair("--layer", &values.layer)})
+    options.push_back({.names = name,
+                       .target = target,
+                       .meaning = "of an .exr that has several; twice: of a, of b",
+                       .type = "NAME"});
   options.push_back(
       {.names = "--observer",
        .target = &values.observer,

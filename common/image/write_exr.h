@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
@@ -10,7 +9,7 @@
 
 #include "common/image/image.h"
 
-/// EXR files of 32-bit floats, by OpenEXR; in the calling thread alone.
+/// EXR files of 32-bit floats are written, by OpenEXR; in the calling thread alone.
 namespace metamer {
 
 /// What an EXR says before its pixels.
@@ -30,10 +29,5 @@ using FillRows = std::function<void(int y, int end, float* values)>;
 /// picture that can't be encoded. Asks for a few rows at a time, from the top.
 Result<std::vector<unsigned char>> encode_exr(const ExrDescription& description,
                                               const FillRows& fill);
-
-/// As read_header and read_image have them (image.h), of an .exr that is there. Channels are in the
-/// alphabet's order, but R, G, B and A come first.
-Result<ImageHeader> read_exr_header(const std::filesystem::path& file);
-Result<Image> read_exr(const std::filesystem::path& file);
 
 }  // namespace metamer
