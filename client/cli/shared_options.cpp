@@ -90,6 +90,11 @@ void declare_picture_files(OutputOptions& output, Options& options) {
                      .target = &output.files,
                      .meaning = "a .png or .exr; may be given several times",
                      .required = true});
+  options.push_back({.names = "--png",
+                     .target = &output.png,
+                     .meaning = "bits of a .png's samples",
+                     .shows_default = true,
+                     .choices = {"8", "16"}});
   options.push_back(
       {.names = "--exr",
        .target = &output.exr,

@@ -51,6 +51,7 @@ struct Overrides {
 /// Where pictures go. An .exr holds linear RGB, or XYZ.
 struct OutputOptions {
   std::vector<std::string> files;
+  std::string png = "8";               ///< Bits of a .png's samples: "8", "16".
   std::string exr = "rgb";             ///< "rgb", "xyz", "spectral", "spectral:400:700:10"
   std::optional<std::string> factors;  ///< For relighting; "": beside the first picture.
 };

@@ -4,13 +4,10 @@
 
 namespace metamer {
 
-/// What needs OpenImageIO, whose 260 libraries take a third of a second to load: a module beside
-/// the programs, metamer-file-formats.so, which is loaded when the first of these functions is
-/// called. All else does without it: PNG and EXR are written, and EXR is read, by their own
-/// libraries.
+/// What needs OpenImageIO, whose 260 libraries take half a second to load: a module beside the
+/// programs, metamer-file-formats.so, which is loaded when a function of it is first called. All
+/// else does without it: PNG and EXR are written and read by their own libraries.
 struct FileFormats {
-  decltype(&metamer::read_header) read_png_header;
-  decltype(&metamer::read_image) read_png;
   decltype(&metamer::false_color) false_color;
 };
 

@@ -1,10 +1,12 @@
 #include "common/image/icc.h"
 
-#include <cmath>
-#include <cstdint>
-#include <vector>
+#include <lcms2.h>
+
+#include <array>
+#include <cassert>
 
 #include "common/color/adaptation.h"
+#include "common/color/srgb.h"
 
 namespace metamer {
 namespace {
@@ -12,111 +14,87 @@ namespace {
 /// ICC.1:2010, 7.2.16: the white of every profile.
 constexpr Xyz d50 = {0.9642, 1.0, 0.8249};
 
-void add_u16(std::string& to, std::uint32_t number) {
-  to += static_cast<char>(number >> 8 & 0xFF);
-  to += static_cast<char>(number & 0xFF);
+/// A context of one's own: no other thread's errors.
+using Context = std::shared_ptr<std::remove_pointer_t<cmsContext>>;
+using Profile = std::unique_ptr<void, decltype(&cmsCloseProfile)>;
+
+Context make_context() { return {cmsCreateContext(nullptr, nullptr), cmsDeleteContext}; }
+
+void set_text(const Context& context, const Profile& profile, cmsTagSignature tag,
+              const std::string& words) {
+  cmsMLU* const text = cmsMLUalloc(context.get(), 1);
+  cmsMLUsetASCII(text, "en", "US", words.c_str());
+  cmsWriteTag(profile.get(), tag, text);
+  cmsMLUfree(text);
 }
 
-void add_u32(std::string& to, std::uint32_t number) {
-  add_u16(to, number >> 16);
-  add_u16(to, number & 0xFFFF);
+/// Encoded → linear, of parametric type 3 of ICC.1 10.15, which is LittleCMS's 4.
+cmsToneCurve* make_curve(const Context& context, const Transfer& t) {
+  const std::array<double, 5> parameters = {t.gamma, 1 / (1 + t.offset), t.offset / (1 + t.offset),
+                                            1 / t.slope, t.slope * t.knee};
+  return cmsBuildParametricToneCurve(context.get(), 4, parameters.data());
 }
 
-/// s15Fixed16Number, 4.6.
-void add_fixed(std::string& to, double number) {
-  add_u32(to, static_cast<std::uint32_t>(static_cast<std::int32_t>(std::lround(number * 65536))));
-}
-
-/// An element begins with its type and four zeros.
-std::string element(const char* type) { return std::string(type) + std::string(4, '\0'); }
-
-/// multiLocalizedUnicodeType, 10.13; plain letters only.
-std::string text(const std::string& words) {
-  std::string result = element("mluc");
-  add_u32(result, 1);
-  add_u32(result, 12);
-  result += "enUS";
-  add_u32(result, static_cast<std::uint32_t>(2 * words.size()));
-  add_u32(result, 28);
-  for (const char c : words) add_u16(result, static_cast<unsigned char>(c));
-  return result;
-}
-
-std::string xyz(const Xyz& value) {
-  std::string result = element("XYZ ");
-  for (const double number : value) add_fixed(result, number);
-  return result;
-}
-
-std::string matrix(const Matrix3& value) {
-  std::string result = element("sf32");
-  for (const auto& row : value)
-    for (const double number : row) add_fixed(result, number);
-  return result;
-}
-
-/// parametricCurveType, 10.15, the function of type 3: encoded → linear.
-std::string curve(const Transfer& t) {
-  std::string result = element("para");
-  add_u16(result, 3);
-  add_u16(result, 0);
-  for (const double number :
-       {t.gamma, 1 / (1 + t.offset), t.offset / (1 + t.offset), 1 / t.slope, t.slope * t.knee})
-    add_fixed(result, number);
-  return result;
-}
-
-/// The first 128 bytes, 7.2.
-std::string header(std::uint32_t size) {
-  std::string result;
-  add_u32(result, size);
-  result += std::string(4, '\0');  // no preferred module
-  add_u32(result, 0x04300000);     // version 4.3
-  result += "mntrRGB XYZ ";
-  for (const std::uint32_t part : {2026U, 1U, 1U, 0U, 0U, 0U}) add_u16(result, part);
-  result += "acsp";
-  result += std::string(28, '\0');  // platform, flags, maker, model, attributes, intent
-  for (const double number : d50) add_fixed(result, number);
-  result.resize(128, '\0');
-  return result;
+std::string description_of(const Profile& profile) {
+  std::array<char, 256> text{};
+  cmsGetProfileInfoASCII(profile.get(), cmsInfoDescription, "en", "US", text.data(), text.size());
+  return text.data();
 }
 
 }  // namespace
 
 std::string icc_profile(const RgbSpace& space, bool linear) {
-  // The primaries as they look under D50. A space whose white no cone responds to stays unadapted.
-  const Matrix3 adapted =
-      adaptation_matrix(Adaptation::bradford, white_xyz(space.primaries.white), d50)
-          .value_or(identity3);
-  const Matrix3 columns = multiply(adapted, space.to_xyz);
-  const auto primary = [&](std::size_t c) {
-    return xyz({columns[0][c], columns[1][c], columns[2][c]});
-  };
-  const std::string transfer = curve(linear ? Transfer{} : space.transfer);
-  const std::vector<std::pair<const char*, std::string>> elements = {
-      {"desc", text(space.name + (linear ? ", linear" : ""))},
-      {"cprt", text("No copyright: facts about a colour space")},
-      {"wtpt", xyz(d50)},
-      {"chad", matrix(adapted)},
-      {"rXYZ", primary(0)},
-      {"gXYZ", primary(1)},
-      {"bXYZ", primary(2)},
-      {"rTRC", transfer},
-      {"gTRC", transfer},
-      {"bTRC", transfer}};
+  const Context context = make_context();
+  const auto xyy = [](const Chromaticity& c) { return cmsCIExyY{c.x, c.y, 1}; };
+  const Primaries& p = space.primaries;
+  const cmsCIExyY white = xyy(p.white);
+  const cmsCIExyYTRIPLE primaries = {xyy(p.red), xyy(p.green), xyy(p.blue)};
+  cmsToneCurve* const curve = make_curve(context, linear ? Transfer{} : space.transfer);
+  const std::array<cmsToneCurve*, 3> curves = {curve, curve, curve};
+  const Profile profile(cmsCreateRGBProfileTHR(context.get(), &white, &primaries, curves.data()),
+                        cmsCloseProfile);
+  cmsFreeToneCurve(curve);
+  assert(profile);
+  set_text(context, profile, cmsSigProfileDescriptionTag, space.name + (linear ? ", linear" : ""));
+  set_text(context, profile, cmsSigCopyrightTag, "No copyright: facts about a colour space");
 
-  // A table of the elements, then each at a multiple of four bytes.
-  const std::size_t begin = 128 + 4 + 12 * elements.size();
-  std::string table, data;
-  add_u32(table, static_cast<std::uint32_t>(elements.size()));
-  for (const auto& [name, bytes] : elements) {
-    table += name;
-    add_u32(table, static_cast<std::uint32_t>(begin + data.size()));
-    add_u32(table, static_cast<std::uint32_t>(bytes.size()));
-    data += bytes;
-    data.resize((data.size() + 3) / 4 * 4, '\0');
+  cmsUInt32Number size = 0;
+  cmsSaveProfileToMem(profile.get(), nullptr, &size);
+  std::string bytes(size, '\0');
+  cmsSaveProfileToMem(profile.get(), bytes.data(), &size);
+  // The date (ICC.1, 7.2.8), which LittleCMS takes from the clock: 2026-01-01.
+  constexpr std::array<char, 12> date = {0x07, static_cast<char>(0xEA), 0, 1, 0, 1};
+  bytes.replace(24, date.size(), date.data(), date.size());
+  return bytes;
+}
+
+Result<IccReader> IccReader::open(const std::string& bytes, bool grey) {
+  const Context context = make_context();
+  const Profile profile(cmsOpenProfileFromMemTHR(context.get(), bytes.data(),
+                                                 static_cast<cmsUInt32Number>(bytes.size())),
+                        cmsCloseProfile);
+  if (!profile) return problem("its ICC profile is damaged");
+  if (cmsGetColorSpace(profile.get()) != (grey ? cmsSigGrayData : cmsSigRgbData))
+    return problem(std::string("its ICC profile is not one of ") + (grey ? "grey" : "R G B"));
+  const Profile xyz(cmsCreateXYZProfileTHR(context.get()), cmsCloseProfile);
+  void* const transform = cmsCreateTransformTHR(
+      context.get(), profile.get(), grey ? TYPE_GRAY_FLT : TYPE_RGB_FLT, xyz.get(), TYPE_XYZ_FLT,
+      INTENT_RELATIVE_COLORIMETRIC, cmsFLAGS_NOCACHE | cmsFLAGS_NOOPTIMIZE);
+  if (!transform) return problem("its ICC profile does not say what its numbers look like");
+  return IccReader({transform, [context](void* one) { cmsDeleteTransform(one); }},
+                   description_of(profile), grey);
+}
+
+void IccReader::to_xyz(std::span<const float> values, std::span<float> xyz) const {
+  const std::size_t pixels = xyz.size() / 3;
+  assert(values.size() == pixels * (grey_ ? 1 : 3));
+  static const Matrix3 adapted =
+      *adaptation_matrix(Adaptation::bradford, d50, srgb::to_xyz({1, 1, 1}));
+  cmsDoTransform(transform_.get(), values.data(), xyz.data(), static_cast<cmsUInt32Number>(pixels));
+  for (std::size_t i = 0; i < xyz.size(); i += 3) {
+    const Xyz seen = multiply(adapted, Xyz{xyz[i], xyz[i + 1], xyz[i + 2]});
+    for (std::size_t c = 0; c < 3; ++c) xyz[i + c] = static_cast<float>(seen[c]);
   }
-  return header(static_cast<std::uint32_t>(begin + data.size())) + table + data;
 }
 
 }  // namespace metamer

@@ -39,21 +39,18 @@ struct Developing {
   RgbSpace space = rgb_space(StandardSpace::srgb);
   Matrix3 adaptation = identity3;  ///< X Y Z as rendered → as seen under the white of the space.
   bool linear = false;             ///< A .png without the space's transfer function.
+  int bits = 8;                    ///< Of a .png's samples: 8 or 16.
 };
 
 /// What developing an XYZ image for a display lost. Nothing is clamped without being counted, but
-/// for what rounding to 8 bits would have lost anyway: half a step.
+/// for what rounding to its bits would have lost anyway: half a step.
 struct GamutReport {
   std::size_t negative = 0;  ///< Pixels with an RGB value below 0, or one that is not a number.
   std::size_t above = 0;     ///< Pixels with an RGB value above 1.
 };
 
-/// Loads what reading a .png and drawing a legend need (file_formats.h), which they else do
-/// themselves. Error: the one that they would end with.
-Result<void> load_file_formats();
-
-/// Writes by the extension of `file`: .png is 8-bit RGB of the space, rounded to nearest, clipped
-/// to [0, 1] and counted in the report, with an ICC profile unless it is sRGB's own; .exr is 32-bit
+/// Writes by the extension of `file`: .png is RGB of the space, rounded to nearest, clipped to
+/// [0, 1] and counted in the report, with an ICC profile unless it is sRGB's own; .exr is 32-bit
 /// float linear RGB, unclipped, with its chromaticities. With `xyz` an .exr holds X Y Z, bit for
 /// bit; a .png can't. `metadata` becomes text attributes ("metamer:plan"). The file appears whole
 /// or not at all (written beside it, then renamed). Errors name the file: another extension, a
@@ -66,26 +63,12 @@ Result<GamutReport> write_image(const Image& xyz_image, const std::filesystem::p
 Result<void> write_rgb(int width, int height, std::span<const std::uint8_t> rgb,
                        const std::filesystem::path& file, const Developing& developing);
 
-/// What a file says of its picture.
-struct ImageHeader {
-  int width = 0;
-  int height = 0;
-  std::vector<std::string> channels;
-  std::vector<float> chromaticities;  ///< x y of red, green, blue, white; empty: not said.
-  std::string emissive_units;         ///< The attribute emissiveUnits; empty: not said.
-  std::string rgb_space;  ///< Of a .png, as write_image names it ("Display P3"); empty: not said.
-  bool has_profile = false;  ///< An ICC profile.
-};
-
-/// Of a file that read_image would take as far as its header tells; the same errors.
-Result<ImageHeader> read_header(const std::filesystem::path& file);
-
 /// Those of sRGB, as an EXR's attribute `chromaticities` has them.
 inline constexpr std::array<float, 8> srgb_chromaticities = {0.64F, 0.33F, 0.30F,   0.60F,
                                                              0.15F, 0.06F, 0.3127F, 0.3290F};
 
-/// Reads a PNG (values as stored, 0..1, not decoded to linear) or an EXR, of at most
-/// max_image_values. Errors name the file; libpng prints a line of its own about a broken PNG.
+/// Reads a PNG (values as stored, 0..1, not decoded to linear) or an EXR's first part, all its
+/// channels, R, G, B and A first; of at most max_image_values. Errors name the file.
 Result<Image> read_image(const std::filesystem::path& file);
 
 inline constexpr std::size_t max_image_values = 256u << 20;  ///< 1 GiB: 64 Mpixel of RGBA.

@@ -1,10 +1,10 @@
 #include "common/image/read_exr_xyz.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "common/color/srgb.h"
 #include "common/color/xyz.h"
+#include "common/image/alpha.h"
 #include "common/image/as_seen.h"
 #include "common/image/spectral_exr.h"
 
@@ -40,27 +40,6 @@ Result<LinearSpace> linear_space(const std::vector<float>& chromaticities) {
   });
 }
 
-/// Takes the picture's last channel out of it; what is to be said of that.
-std::string without_alpha(Image& image) {
-  const std::size_t channels = image.channels.size(), colors = channels - 1;
-  bool opaque = true;
-  double least = HUGE_VAL, most = -HUGE_VAL;
-  for (std::size_t i = 0; i < image.pixels.size() / channels; ++i) {
-    const float* const pixel = image.pixels.data() + i * channels;
-    const double alpha = pixel[colors];
-    opaque = opaque && alpha == 1;
-    least = std::min(least, alpha);
-    most = std::max(most, alpha);
-    std::copy_n(pixel, colors, image.pixels.data() + i * colors);
-  }
-  image.channels.pop_back();
-  image.pixels.resize(image.pixels.size() / channels * colors);
-  if (opaque) return "its alpha is 1 everywhere";
-  const auto rounded = [](double value) { return number_text(std::round(value * 1000) / 1000); };
-  return "its alpha, " + rounded(least) + " to " + rounded(most) +
-         ", is left aside: colours count as they stand, as over black";
-}
-
 /// Three values a pixel through a matrix, in place.
 void transform(Image& image, const Matrix3& matrix) {
   for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
@@ -92,7 +71,7 @@ Result<XyzPicture> from_colors(const fs::path& file, const Parts& parts, const E
   Result<Image> image = read_exr(file, parts, layer.part, channels);
   if (!image) return tl::unexpected<Problem>(image.error());
   XyzPicture result;
-  if (!layer.alpha.empty()) result.notes.push_back(without_alpha(*image));
+  if (!layer.alpha.empty()) result.notes.push_back(alpha_text(take_alpha(*image)));
   switch (layer.kind) {
     case ExrLayer::Kind::xyz:
       result.what = "X Y Z";

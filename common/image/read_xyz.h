@@ -28,18 +28,18 @@ struct XyzPicture {
 };
 
 /// Reads
-///   - a .png as sRGB, decoded, or in the space that render wrote it in; grey is R = G = B;
-///     RGB of a space whose white is not D65 is read as it looks on a screen of D65
-///     (white_for_d65);
+///   - a .png by its cICP, ICC profile, sRGB, gAMA and cHRM, in this order (png_encoding, icc.h),
+///     as sRGB where it has none; grey is R = G = B; RGB of a space whose white is not D65 is read
+///     as it looks on a screen of D65 (white_for_d65); transparent pixels are seen over black;
 ///   - an .exr's layer that `choice` means (choose_layer), over its display window:
 ///       - X, Y, Z as they are;
 ///       - R, G, B as linear, by its part's chromaticities, by sRGB's where it names none;
 ///       - Y as a grey;
 ///       - spectra (see spectral_exr.h) through the observer: an emission as band means
 ///         (observer_of_bands), a reflectance lit by `under` with `weights`.
-/// Errors name the file: those of read_image, choose_layer, read_exr and read_spectral_layer,
-/// transparent pixels or an unknown ICC profile in a .png, chromaticities that make no RGB space,
-/// those of weights_under, a reflectance where nothing lights it.
+/// Errors name the file: those of read_png, png_encoding, IccReader, choose_layer, read_exr and
+/// read_spectral_layer, chromaticities that make no RGB space, those of weights_under, a
+/// reflectance where nothing lights it.
 Result<XyzPicture> read_xyz(const std::filesystem::path& file, const Viewing& viewing,
                             const PictureChoice& choice = {});
 

@@ -5,16 +5,16 @@
 #include "common/image/icc.h"
 #include "common/image/image.h"
 #include "common/image/picture_file.h"
-#include "common/image/png.h"
 #include "common/image/whole_file.h"
 #include "common/image/write_exr.h"
+#include "common/image/write_png.h"
 
 namespace metamer {
 namespace {
 
 using Bytes = std::vector<unsigned char>;
 
-/// Counts what clipping loses, beyond what rounding to 8 bits does, and fills in the bytes.
+/// Counts what clipping loses, beyond what rounding does, and fills in a row.
 void to_8_bit(const std::vector<float>& rgb, const EightBit& codes, unsigned char* bytes,
               GamutReport& gamut) {
   for (std::size_t i = 0; i < rgb.size(); i += 3) {
@@ -29,6 +29,25 @@ void to_8_bit(const std::vector<float>& rgb, const EightBit& codes, unsigned cha
   }
 }
 
+/// The same by 16 bits, which are asked for rarely: a power for each value.
+void to_16_bit(const std::vector<float>& rgb, const Transfer& transfer, unsigned char* bytes,
+               GamutReport& gamut) {
+  constexpr double top = 65535;
+  for (std::size_t i = 0; i < rgb.size(); i += 3) {
+    bool negative = false, above = false;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double value = top * encode(transfer, static_cast<double>(rgb[i + c]));
+      negative = negative || !(value > -0.5);
+      above = above || value >= top + 0.5;
+      const auto code = static_cast<unsigned>(value > 0 ? std::min(value, top) + 0.5 : 0);
+      *bytes++ = static_cast<unsigned char>(code >> 8);
+      *bytes++ = static_cast<unsigned char>(code & 0xFF);
+    }
+    gamut.negative += negative ? 1 : 0;
+    gamut.above += above ? 1 : 0;
+  }
+}
+
 /// Says what a .png's numbers mean: sRGB by its name, another space by a profile.
 PngDescription describe_png(int width, int height, const Developing& developing,
                             std::map<std::string, std::string> texts) {
@@ -37,6 +56,7 @@ PngDescription describe_png(int width, int height, const Developing& developing,
   const bool srgb = space.word == "srgb" && !developing.linear;
   return {.width = width,
           .height = height,
+          .bits = developing.bits,
           .icc_profile = srgb ? std::string() : icc_profile(space, developing.linear),
           .texts = std::move(texts)};
 }
@@ -56,12 +76,16 @@ std::array<float, 8> chromaticities(const RgbSpace& space) {
 Result<Bytes> encode_as_png(const Image& xyz, const std::map<std::string, std::string>& metadata,
                             const Developing& developing, GamutReport& gamut) {
   const Matrix3 matrix = multiply(developing.space.from_xyz, developing.adaptation);
-  const EightBit codes(developing.linear ? Transfer{} : developing.space.transfer);
+  const Transfer transfer = developing.linear ? Transfer{} : developing.space.transfer;
+  const EightBit codes(transfer);
   std::vector<float> rgb(3 * static_cast<std::size_t>(xyz.width));
   return encode_png(describe_png(xyz.width, xyz.height, developing, metadata),
                     [&](int y, unsigned char* row) {
                       to_linear_rgb(matrix, xyz.at(0, y), rgb.data(), rgb.size() / 3);
-                      to_8_bit(rgb, codes, row, gamut);
+                      if (developing.bits == 16)
+                        to_16_bit(rgb, transfer, row, gamut);
+                      else
+                        to_8_bit(rgb, codes, row, gamut);
                     });
 }
 

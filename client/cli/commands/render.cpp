@@ -30,6 +30,7 @@ void tell_how_to_continue(const RenderOptions& options, std::uint64_t job_id, Re
   if (server.empty()) return;  // a private server takes its jobs along
   std::string command = "metamer fetch " + std::to_string(job_id) + " --server " + server;
   for (const std::string& file : options.output.files) command += " -o " + file;
+  if (options.output.png != "8") command += " --png " + options.output.png;
   if (options.output.exr != "rgb") command += " --exr " + options.output.exr;
   report.document()["continue"] = command;
   std::cerr << "job " << job_id << " goes on there; to get its picture: " << command << '\n';

@@ -50,11 +50,12 @@ Result<ExrContent> exr_content(const OutputOptions& options) {
 }
 
 ExitCode write_pictures(const OutputOptions& options, const Pictures& pictures, Report& report) {
-  const auto planned = client::planned_developing(pictures.plan);
+  auto planned = client::planned_developing(pictures.plan);
   if (!planned) {
     report.error("the server planned no colour space: " + planned.error().message);
     return ExitCode::other;
   }
+  planned->developing.bits = options.png == "16" ? 16 : 8;
   if (!planned->unadapted.empty())
     report.note({.field = {}, .file = {}, .message = "not adapted: " + planned->unadapted});
   const ExrContent exr = *exr_content(options);

@@ -140,26 +140,51 @@ TEST_F(ImageFile, APngOfAnotherSpaceIsReadInThatSpace) {
   }
 }
 
-TEST_F(ImageFile, APngWithAProfileThatNobodyKnowsIsRefused) {
-  OIIO::ImageSpec spec(1, 1, 3, OIIO::TypeDesc::UINT8);
-  const std::string profile = [&] {
-    Developing wide;
-    wide.space = rgb_space(StandardSpace::display_p3);
-    EXPECT_TRUE(write_image(black(), folder_ / "p3.png", false, {}, wide));
-    return profile_of(folder_ / "p3.png");
-  }();
-  spec.attribute("ICCProfile",
-                 OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(profile.size())),
-                 profile.data());
-  const std::string file = folder_ / "a.png";
-  const auto output = OIIO::ImageOutput::create(file);
-  const float white[] = {1, 1, 1};
-  ASSERT_TRUE(output->open(file, spec) && output->write_image(OIIO::TypeDesc::FLOAT, white) &&
-              output->close());
-  const auto picture = read_xyz(file, {});
-  ASSERT_FALSE(picture);
-  EXPECT_EQ(picture.error().message,
-            "the picture has an ICC profile of its own: convert it to sRGB first");
+TEST_F(ImageFile, APngOf16BitsRoundsToTheNearestOf65536) {
+  // Greys 0.49 of a step beside codes, of every space and of its linear values.
+  for (const std::string& word : rgb_space_words()) {
+    for (const bool linear : {false, true}) {
+      Developing developing;
+      developing.space = *find_rgb_space(word);
+      developing.linear = linear;
+      developing.bits = 16;
+      const std::vector<double> codes = {0, 1, 255, 256, 12345.49, 12344.51, 65534.51, 65535.4};
+      Image image = make_image(static_cast<int>(codes.size()), 1, {"X", "Y", "Z"});
+      for (std::size_t i = 0; i < codes.size(); ++i) {
+        const double value =
+            linear ? codes[i] / 65535 : decode(developing.space.transfer, codes[i] / 65535);
+        const Xyz xyz = multiply(developing.space.to_xyz, Rgb{value, value, value});
+        for (std::size_t c = 0; c < 3; ++c) image.pixels[3 * i + c] = static_cast<float>(xyz[c]);
+      }
+      const auto report = write_image(image, folder_ / "a.png", false, {}, developing);
+      ASSERT_TRUE(report);
+      EXPECT_EQ(report->above, 0U) << word << ": rounding hides 0.4 of a step";
+      const auto input = OIIO::ImageInput::open((folder_ / "a.png").string());
+      EXPECT_EQ(input->spec().format, OIIO::TypeDesc::UINT16);
+      const auto back = read_image(folder_ / "a.png");
+      for (std::size_t i = 0; i < codes.size(); ++i) {
+        const long expected = std::min(65535L, std::lround(codes[i]));
+        EXPECT_EQ(std::lround(65535 * back->pixels[3 * i + 1]), expected) << word << linear;
+      }
+    }
+  }
+}
+
+TEST_F(ImageFile, APngOf16BitsComesBackCloserThanOneOf8) {
+  Developing developing;
+  developing.space = rgb_space(StandardSpace::rec_2020);
+  Image image = make_image(64, 1, {"X", "Y", "Z"});
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = 0.2F + 0.003F * static_cast<float>(i % 64);
+  for (const auto& [bits, within] : {std::pair(8, 4e-3), std::pair(16, 3e-5)}) {
+    developing.bits = bits;
+    ASSERT_TRUE(write_image(image, folder_ / "a.png", false, {}, developing));
+    const auto back = read_xyz(folder_ / "a.png", {});
+    ASSERT_TRUE(back) << format(back.error());
+    EXPECT_EQ(back->what, "the ICC profile \"Rec. 2020\"");
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+      EXPECT_NEAR(back->image.pixels[i], image.pixels[i], within) << bits;
+  }
 }
 
 }  // namespace

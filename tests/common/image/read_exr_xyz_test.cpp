@@ -206,8 +206,7 @@ TEST_F(ExrFile, NamesItsAlphaAndItsSingleY) {
   const fs::path file = folder_ / "a.exr";
   write_parts(file, {{.channels = both(wanted, {{"A", 0.5F}})}});
   EXPECT_EQ(said_of(file, {0.4, 0.2, 0.1}),
-            "linear sRGB\nits alpha, 0.5 to 0.5, is left aside: colours count as they stand, as "
-            "over black\n");
+            "linear sRGB\nits alpha goes from 0.5 to 0.5: it is compared as over black\n");
   write_parts(file, {{.channels = both(wanted, {{"A", 1}})}});
   EXPECT_EQ(said_of(file, {0.4, 0.2, 0.1}), "linear sRGB\nits alpha is 1 everywhere\n");
   write_parts(file, {{.channels = {{"Y", 0.25F}, {"A", 1}}}});

@@ -16,7 +16,6 @@
 #include "client/tools/spectra/spectra_files.h"
 #include "client/tools/text/formatted.h"
 #include "common/color/table_weights.h"
-#include "common/image/picture_file.h"
 
 namespace metamer::cli {
 namespace {
@@ -238,13 +237,6 @@ ExitCode run(const CompareOptions& options) {
   if (!file.empty() && std::filesystem::path(file).extension() != ".png") {
     report.error("--output: " + quoted(file) + " does not end in .png");
     return report.finish(ExitCode::bad_input);
-  }
-  const bool drawn = !file.empty();
-  if (drawn || format_of(options.a) == "png" || format_of(options.b) == "png") {
-    if (const auto loaded = load_file_formats(); !loaded) {
-      report.problem(loaded.error(), {});
-      return report.finish(ExitCode::other);
-    }
   }
   return report.finish(compare_with(options, report));
 }

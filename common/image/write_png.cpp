@@ -1,4 +1,4 @@
-#include "common/image/png.h"
+#include "common/image/write_png.h"
 
 #include <png.h>
 
@@ -30,7 +30,7 @@ void ignore(png_structp, png_const_charp) {}
 void describe(png_structp png, png_infop info, const PngDescription& description,
               std::vector<png_text>& texts) {
   png_set_IHDR(png, info, static_cast<png_uint_32>(description.width),
-               static_cast<png_uint_32>(description.height), 8, PNG_COLOR_TYPE_RGB,
+               static_cast<png_uint_32>(description.height), description.bits, PNG_COLOR_TYPE_RGB,
                PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   if (description.icc_profile.empty())
     png_set_sRGB(png, info, PNG_sRGB_INTENT_RELATIVE);
@@ -44,7 +44,7 @@ void describe(png_structp png, png_infop info, const PngDescription& description
 /// False: libpng jumped back here, over frames that have nothing to destroy.
 bool write(png_structp png, png_infop info, const PngDescription& description,
            std::vector<png_text>& texts, Bytes& row,
-           const std::function<void(int y, unsigned char* rgb)>& fill) {
+           const std::function<void(int y, unsigned char* row)>& fill) {
   if (setjmp(png_jmpbuf(png))) return false;
   describe(png, info, description, texts);
   png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_NO_FILTERS);  // the fastest by far
@@ -72,7 +72,7 @@ std::vector<png_text> to_texts(const std::map<std::string, std::string>& from) {
 }  // namespace
 
 Result<Bytes> encode_png(const PngDescription& description,
-                         const std::function<void(int y, unsigned char* rgb)>& fill) {
+                         const std::function<void(int y, unsigned char* row)>& fill) {
   Output output;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &output, fail, ignore);
   png_infop info = png ? png_create_info_struct(png) : nullptr;
@@ -80,7 +80,8 @@ Result<Bytes> encode_png(const PngDescription& description,
   if (info) {
     png_set_write_fn(png, &output, append, nullptr);
     std::vector<png_text> texts = to_texts(description.texts);
-    Bytes row(3 * static_cast<std::size_t>(description.width));
+    Bytes row(3 * static_cast<std::size_t>(description.width) *
+              static_cast<std::size_t>(description.bits / 8));
     good = write(png, info, description, texts, row, fill);
   }
   png_destroy_write_struct(&png, &info);

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "common/image/read_xyz.h"
+
+namespace metamer {
+
+/// As read_xyz has it, of a .png that is there.
+Result<XyzPicture> read_png_xyz(const std::filesystem::path& file);
+
+}  // namespace metamer
