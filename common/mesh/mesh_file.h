@@ -12,7 +12,7 @@ namespace metamer {
 
 /// The triangles of a file that bear one name and one material, in a row.
 struct MeshPiece {
-  std::string object;    ///< Of a glTF's node, an OBJ's o or g; may be empty. UTF-8.
+  std::string object;    ///< Of a glTF's node, an OBJ's g, else its o; may be empty. UTF-8.
   std::string material;  ///< Its name in the file; may be empty. UTF-8.
   std::uint64_t first_triangle = 0, triangles = 0;
 };
@@ -23,8 +23,8 @@ struct MeshFile {
   std::vector<Float3> positions;       ///< Of a file with f32,
   std::vector<Double3> positions_f64;  ///< or with more; one of the two is empty.
   /// One for each position, unit; 0: the file has none there, and they are averaged over the
-  /// triangles that meet in it; empty: the file has none. A glTF without normals is flat: its
-  /// reader gives each of its triangles vertices of its own.
+  /// triangles that meet at its place; empty: the file has none. A glTF without normals is flat:
+  /// its reader gives each of its triangles vertices of its own, with its normal.
   std::vector<Float3> normals;
   std::vector<Float2> uvs;  ///< One for each position, NaN: none there; or empty.
   std::vector<Triangle> triangles;

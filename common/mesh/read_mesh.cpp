@@ -3,8 +3,8 @@
 
 #include "common/mesh/gltf/gltf_mesh.h"
 #include "common/mesh/mesh_file.h"
-#include "common/mesh/obj.h"
-#include "common/mesh/ply.h"
+#include "common/mesh/obj/obj_mesh.h"
+#include "common/mesh/ply/ply_mesh.h"
 
 namespace metamer {
 namespace {

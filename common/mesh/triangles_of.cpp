@@ -1,0 +1,49 @@
+#include <algorithm>
+
+#include "common/mesh/mesh_file.h"
+#include "common/mesh/parts.h"
+#include "common/mesh/smooth_normals.h"
+
+namespace metamer {
+namespace {
+
+/// That all of a file is taken for one material.
+std::optional<std::string> many_materials(const std::vector<MeshPiece>& pieces) {
+  std::vector<std::string> names;
+  for (const MeshPiece& piece : pieces)
+    if (std::find(names.begin(), names.end(), piece.material) == names.end() && names.size() < 100)
+      names.push_back(piece.material);
+  if (names.size() < 2) return std::nullopt;
+  std::string list;
+  for (std::size_t i = 0; i < std::min<std::size_t>(names.size(), 6); ++i)
+    list += (i > 0 ? ", " : "") + (names[i].empty() ? std::string("none") : quoted(names[i]));
+  if (names.size() > 6) list += " and more";
+  return "its materials (" + list + ") are all the object's; a part has its own";
+}
+
+}  // namespace
+
+Result<TriangleMesh> triangles_of(MeshFile file, const MeshUse& use) {
+  if (use.part.empty()) {
+    if (auto note = many_materials(file.pieces)) file.notes.push_back(*std::move(note));
+  } else if (auto selected = select_part(file, use.part); !selected) {
+    return tl::unexpected(selected.error());
+  }
+  if (file.normals.empty() && use.crease_angle)
+    creased_normals(file, *use.crease_angle);
+  else
+    smooth_normals(file);
+  TriangleMesh mesh;
+  if (use.tangents) mesh.tangents = tangents_of(file);
+  if (file.positions_f64.empty())
+    mesh.positions = Array<Float3>(std::move(file.positions));
+  else
+    mesh.positions = Array<Double3>(std::move(file.positions_f64));
+  mesh.normals = std::move(file.normals);
+  mesh.triangles = std::move(file.triangles);
+  mesh.skipped_faces = file.skipped_faces;
+  mesh.notes = std::move(file.notes);
+  return mesh;
+}
+
+}  // namespace metamer
