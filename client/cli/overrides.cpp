@@ -7,8 +7,10 @@
 #include <string_view>
 
 #include "client/cli/development.h"
+#include "client/tools/scene/light_words.h"
 #include "client/tools/scene/observers.h"
 #include "client/tools/scene/words.h"
+#include "client/tools/spectra/spectrum_word.h"
 #include "common/scene/schema.h"
 
 namespace metamer::cli {
@@ -238,17 +240,30 @@ Result<void> add_development(const Overrides& overrides, Look& look) {
   return {};
 }
 
+/// Where NAME=SPECTRUM is parted: before a file, which may have "=" in its name, else at the last
+/// one, as the names of lights may have some and those of illuminants have none.
+std::size_t parting(const std::string& text) {
+  for (std::size_t at = text.find('='); at != std::string::npos; at = text.find('=', at + 1)) {
+    const auto word = client::parse_spectrum_word(text.substr(at + 1));
+    if (word && word->is_file) return at;
+  }
+  return text.rfind('=');
+}
+
 Result<void> add_lights(const Overrides& overrides, Look& look) {
   std::set<std::string> named;
   for (const std::string& text : overrides.lights) {
-    // The last "=" separates: an illuminant's name has none, a light's may.
-    const std::size_t equals = text.rfind('=');
+    const std::size_t equals = parting(text);
     const std::string name = text.substr(0, equals);
     if (!named.insert(name).second) return problem("--light: " + quoted(name) + " is named twice");
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
-      return problem("--light: \"" + text + "\" is not NAME=ILLUMINANT, such as ceiling=A");
-    look.lights.push_back({.light = name, .spectrum = {}, .by = "--light"});
-    look.lights.back().spectrum.set_standard(text.substr(equals + 1));
+      return problem("--light: \"" + text + "\" is not NAME=SPECTRUM, such as ceiling=A");
+    auto light = client::light_of_word(text.substr(equals + 1));
+    if (!light) return problem("--light: " + light.error().message);
+    look.lights.push_back({.light = name,
+                           .spectrum = std::move(light->spectrum),
+                           .by = "--light",
+                           .file = std::move(light->file)});
   }
   return {};
 }

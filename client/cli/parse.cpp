@@ -49,8 +49,17 @@ CLI::Option* add(CLI::App& app, const Option& option) {
   return std::visit(add_typed, option.target);
 }
 
+/// A number that is one: CLI11 takes "nan" for a number, and for none below 0.
+std::string no_number(const std::string& text) {
+  const bool nan = text.size() >= 3 && CLI::detail::to_lower(text).find("nan") != std::string::npos;
+  return nan ? "Number " + text + " is not a number" : std::string();
+}
+
 void declare(CLI::App& app, const Option& option) {
   CLI::Option& added = *add(app, option);
+  if (std::holds_alternative<double*>(option.target) ||
+      std::holds_alternative<std::optional<double>*>(option.target))
+    added.check(no_number);
   if (!option.group.empty()) added.group(option.group);
   if (!option.type.empty()) added.type_name(option.type);
   if (option.required) added.required();

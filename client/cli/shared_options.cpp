@@ -68,8 +68,8 @@ void declare_overrides(Overrides& overrides, Options& options) {
   add("--threads", &overrides.threads, "0: as many as the server has");
   add("--tile-size", &overrides.tile_size, "pixels, a multiple of 8");
   add("--light", &overrides.lights,
-      "give a light a CIE illuminant: NAME=A, or *=A for all of them");
-  options.back().type = "NAME=ILLUMINANT";
+      std::string("give a light another spectrum, *: all of them; ") + light_words);
+  options.back().type = "NAME=SPECTRUM";
   declare_development(overrides.development, group, options);
 }
 

@@ -62,6 +62,11 @@ using Options = std::vector<Option>;
 inline constexpr const char* observer_meaning =
     "cie-1931-2deg, cie-1964-10deg, or a file of wavelengths, x̄, ȳ and z̄";
 
+/// Of options that take a light.
+inline constexpr const char* light_words =
+    "D65, D:6504K, 2856K, lines (436nm:0.6+546nm), FILE, FILE#ENTRY, or FILE@um@clamp, say: how it "
+    "is read";
+
 void declare_json(bool& json, Options& options);
 /// --weights: a word of table_weights_words.
 void declare_weights(std::string& word, Options& options);

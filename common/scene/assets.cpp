@@ -1,4 +1,5 @@
-#include <set>
+#include <filesystem>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -24,11 +25,7 @@ class Collector {
       : folder_(std::move(folder)), digest_of_(digest_of), elsewhere_(elsewhere) {}
 
   void add_observer(const v1::Settings& settings) {
-    const std::string field = "settings.observer_file";
-    if (elsewhere_.contains(field) && seen_.contains(settings.observer_file()))
-      return findings_.add(field, "another file of the scene is called " +
-                                      quoted(settings.observer_file()) + ", too");
-    add(settings.observer_file(), field, max_spectrum_file);
+    add(settings.observer_file(), "settings.observer_file", max_spectrum_file);
   }
 
   void add_spectrum(const v1::Spectrum& spectrum, const std::string& field) {
@@ -61,15 +58,22 @@ class Collector {
   /// The asset if it is new and sound; else null. `prefix` begins the problems' messages.
   const Asset* add(const std::string& name, const std::string& field, std::uint64_t limit,
                    const std::string& prefix = {}) {
-    if (name.empty() || !seen_.insert(name).second) return nullptr;
-    const bool guess = findings_.size() < max_guesses;
-    const auto other = elsewhere_.find(field);
-    const auto path = other != elsewhere_.end() ? find_file(other->second, limit)
-                                                : find_in_folder(name, folder_, limit, guess);
+    if (name.empty()) return nullptr;
+    const auto [seen, is_new] = seen_.try_emplace(name);
+    // Of the scene's own folder, one name is one file.
+    if (!is_new && elsewhere_.empty()) return nullptr;
+    const auto path = find(name, field, limit);
     if (!path) {
       findings_.add(field, prefix + path.error().message);
       return nullptr;
     }
+    if (!is_new) {
+      std::error_code error;
+      if (!seen->second.empty() && !std::filesystem::equivalent(*path, seen->second, error))
+        findings_.add(field, "another file of the scene is called " + quoted(name) + ", too");
+      return nullptr;
+    }
+    seen->second = *path;
     const auto digest = digest_of_(*path, limit);
     if (!digest) {
       findings_.add(field, prefix + "file " + quoted(name) + " " + digest.error().message);
@@ -83,10 +87,17 @@ class Collector {
     return &assets_.back();
   }
 
+  Result<std::filesystem::path> find(const std::string& name, const std::string& field,
+                                     std::uint64_t limit) const {
+    const auto other = elsewhere_.find(field);
+    if (other != elsewhere_.end()) return find_file(other->second, limit);
+    return find_in_folder(name, folder_, limit, findings_.size() < max_guesses);
+  }
+
   std::filesystem::path folder_;
   const DigestOf& digest_of_;
   const Elsewhere& elsewhere_;
-  std::set<std::string> seen_;
+  std::map<std::string, std::filesystem::path> seen_;  ///< By their names.
   std::vector<Asset> assets_;
   Findings findings_;
 };

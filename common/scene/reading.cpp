@@ -31,6 +31,20 @@ Reading reading_of(const v1::Reading& message) {
           .clamp = message.clamp()};
 }
 
+v1::Reading to_message(const Reading& reading) {
+  v1::Reading message;
+  if (reading.as)
+    message.set_as(*reading.as == Quantity::emission        ? v1::Reading::EMISSION
+                   : *reading.as == Quantity::transmittance ? v1::Reading::TRANSMITTANCE
+                                                            : v1::Reading::REFLECTANCE);
+  if (reading.unit)
+    message.set_unit(*reading.unit == WavelengthUnit::um ? v1::Reading::UM : v1::Reading::NM);
+  if (reading.scale)
+    message.set_scale(*reading.scale == Scale::percent ? v1::Reading::PERCENT : v1::Reading::ONE);
+  message.set_clamp(reading.clamp);
+  return message;
+}
+
 Result<Interpreted> as_role(const SpectrumFile& file, Spectrum spectrum, const Reading& reading,
                             SpectrumRole role) {
   switch (role) {

@@ -181,7 +181,7 @@ void declare(RelightOptions& values, Options& options) {
   options.push_back(
       {.names = "--light",
        .target = &values.lights,
-       .meaning = "a light's spectrum: a CIE illuminant, a file, or FILE#ENTRY; *=A for all lights",
+       .meaning = std::string("a light's spectrum, *: that of all lights; ") + light_words,
        .type = "NAME=SPECTRUM"});
   options.push_back({.names = "--material",
                      .target = &values.materials,

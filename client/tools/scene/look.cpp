@@ -21,7 +21,9 @@ Result<void> apply(const LightChange& change, v1::Scene& scene, std::vector<Repl
     if (change.light != "*" && change.light != light.name()) continue;
     found = true;
     *light.mutable_spectrum() = change.spectrum;
-    replaced.push_back({"light[" + std::to_string(i) + "].spectrum", change.by});
+    const std::string field = "light[" + std::to_string(i) + "].spectrum";
+    replaced.push_back({field, change.by});
+    if (!change.file.empty()) replaced.push_back({field + ".file", change.by, change.file});
   }
   if (found) return {};
   return problem("no light named \"" + change.light + "\"" + did_you_mean(change.light, names));

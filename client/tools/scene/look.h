@@ -24,6 +24,7 @@ struct LightChange {
   std::string light;  ///< The light's name; "*": all of them.
   v1::Spectrum spectrum;
   std::string by;
+  std::filesystem::path file = {};  ///< Where spectrum.file lies; empty: in the scene's folder.
 };
 
 /// A set of changes to a scene.

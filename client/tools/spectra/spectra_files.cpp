@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "client/tools/spectra/spectrum_word.h"
 #include "common/color/illuminants.h"
 #include "common/scene/files.h"
 #include "common/spectral/cie.h"
@@ -66,19 +67,11 @@ Result<std::vector<LoadedSpectrum>> find_spectra(const std::string& word,
   } else if (auto light = illuminant_named(word)) {
     one.samples = std::move(*light);
   } else {
-    if (names_temperature(word)) return tl::unexpected(std::move(light.error()));
+    if (names_formula(word)) return tl::unexpected(std::move(light.error()));
     return no_such(word);
   }
   if (choice.reading.as) one.quantity = *choice.reading.as;
   return std::vector{std::move(one)};
-}
-
-/// A word, and the entry that it asks for: FILE#ENTRY, where there is no file of the whole name.
-std::pair<std::string, std::optional<std::string>> split_entry(const std::string& word) {
-  std::error_code error;
-  const std::size_t hash = word.rfind('#');
-  if (hash == std::string::npos || hash == 0 || fs::exists(word, error)) return {word, {}};
-  return {word.substr(0, hash), word.substr(hash + 1)};
 }
 
 tl::unexpected<SpectrumFault> bad_choice(std::string message) {
@@ -86,11 +79,22 @@ tl::unexpected<SpectrumFault> bad_choice(std::string message) {
       {.problem = problem(std::move(message)).value(), .choice = true});
 }
 
+/// What a word says of its file, which goes before what is said of all files.
+SpectrumChoice choice_for(const SpectrumWord& word, SpectrumChoice choice) {
+  if (word.entry) choice.entry = word.entry;
+  if (word.reading.as) choice.reading.as = word.reading.as;
+  if (word.reading.unit) choice.reading.unit = word.reading.unit;
+  if (word.reading.scale) choice.reading.scale = word.reading.scale;
+  if (word.interpolation) choice.interpolation = word.interpolation;
+  choice.reading.clamp |= word.reading.clamp;
+  return choice;
+}
+
 /// All spectra of a word, or the one of that name.
-SpectrumResult<std::vector<LoadedSpectrum>> load_word(const std::string& word,
+SpectrumResult<std::vector<LoadedSpectrum>> load_word(const SpectrumWord& word,
                                                       const SpectrumChoice& choice) {
-  const auto [file, own_entry] = split_entry(word);
-  const std::optional<std::string> entry = own_entry ? own_entry : choice.entry;
+  const std::string& file = word.name;
+  const std::optional<std::string>& entry = choice.entry;
   std::string source;
   Result<std::vector<LoadedSpectrum>> found = find_spectra(file, choice, source);
   if (!found)
@@ -119,11 +123,14 @@ SpectrumResult<void> interpolate(LoadedSpectrum& one, std::optional<Interpolatio
 SpectrumResult<std::vector<LoadedSpectrum>> load_spectra(const std::vector<std::string>& words,
                                                          const SpectrumChoice& choice) {
   std::vector<LoadedSpectrum> all;
-  for (const std::string& word : words) {
-    auto loaded = load_word(word, choice);
+  for (const std::string& text : words) {
+    const auto word = parse_spectrum_word(text);
+    if (!word) return bad_choice(word.error().message);
+    const SpectrumChoice own = choice_for(*word, choice);
+    auto loaded = load_word(*word, own);
     if (!loaded) return tl::unexpected(std::move(loaded.error()));
     for (LoadedSpectrum& one : *loaded) {
-      if (auto done = interpolate(one, choice.interpolation); !done)
+      if (auto done = interpolate(one, own.interpolation); !done)
         return tl::unexpected(std::move(done.error()));
       all.push_back(std::move(one));
     }
@@ -138,18 +145,6 @@ SpectrumResult<LoadedSpectrum> load_one(const std::string& word, const SpectrumC
   return bad_choice(metamer::quoted(word) + " has " + std::to_string(loaded->size()) +
                     " spectra; choose one, such as " +
                     metamer::quoted(word + "#" + loaded->front().name));
-}
-
-Result<Spectrum> light_named(const std::string& word, const std::string& option) {
-  auto light = load_one(word, {.use = Use::emission});
-  if (!light) {
-    Problem& problem = light.error().problem;
-    if (problem.line == 0) problem.message = option + ": " + problem.message;
-    return tl::unexpected(std::move(problem));
-  }
-  if (!light->emission())
-    return problem(option + ": " + metamer::quoted(word) + " is a reflectance, no light");
-  return light->spectrum();
 }
 
 std::string emission_fault(const Spectrum& spectrum) {

@@ -56,16 +56,13 @@ template <class T>
 using SpectrumResult = tl::expected<T, SpectrumFault>;
 
 /// The spectra of a file, or the illuminant (illuminant_named) or test colour of that name where
-/// there is no such file; FILE#ENTRY is the entry of a file. A file's spectrum is read, taken for
-/// what it is (interpret) and interpolated as one of a scene. The CIE's are straight lines, as CIE
-/// 15 has them. The error is that of the first word that has one.
+/// there is no such file; words are as parse_spectrum_word takes them. A file's spectrum is read,
+/// taken for what it is (interpret) and interpolated as one of a scene. The CIE's are straight
+/// lines, as CIE 15 has them. The error is that of the first word that has one.
 SpectrumResult<std::vector<LoadedSpectrum>> load_spectra(const std::vector<std::string>& words,
                                                          const SpectrumChoice& choice = {});
 /// The same, where only one will do.
 SpectrumResult<LoadedSpectrum> load_one(const std::string& word, const SpectrumChoice& choice = {});
-
-/// A light by a word of load_spectra. `option` is what the error begins with.
-Result<Spectrum> light_named(const std::string& word, const std::string& option);
 
 /// What keeps a spectrum from being a light's: power below 0. Empty: nothing.
 std::string emission_fault(const Spectrum& spectrum);

@@ -87,7 +87,8 @@ std::optional<Labelled> labelled_wavelength(std::string_view label, char decimal
 }
 
 std::optional<WavelengthUnit> unit_in(std::string_view heading) {
-  if (has_any(heading, {"µm", "μm", "(um)", "[um]", "/um", "/ um", "micron", "micromet", "_um"}))
+  if (has_any(heading, {"µm", "μm", "(um)", "[um]", "/um", "/ um", "micron", "micromet", "_um"}) ||
+      lower(heading) == "um")
     return WavelengthUnit::um;
   if (has_any(heading, {"nm", "nanomet"})) return WavelengthUnit::nm;
   return std::nullopt;
@@ -127,7 +128,7 @@ std::string unusable_quantity(std::string_view heading) {
 
 bool says_wavelength(std::string_view heading) {
   return has_any(heading, {"wavelength", "wellenl", "lambda", "λ"}) || lower(heading) == "nm" ||
-         lower(heading) == "wl";
+         lower(heading) == "um" || lower(heading) == "µm" || lower(heading) == "wl";
 }
 
 std::optional<Quantity> quantity_in(std::string_view text) {

@@ -279,8 +279,7 @@ TEST(Overrides, ErrorsSayWhatWasExpected) {
   for (const std::string bad : {"lamp", "=A", "lamp="}) {
     Overrides lights;
     lights.lights = {bad};
-    EXPECT_EQ(error_of(lights),
-              "--light: \"" + bad + "\" is not NAME=ILLUMINANT, such as ceiling=A");
+    EXPECT_EQ(error_of(lights), "--light: \"" + bad + "\" is not NAME=SPECTRUM, such as ceiling=A");
   }
 }
 

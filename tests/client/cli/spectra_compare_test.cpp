@@ -52,6 +52,24 @@ TEST(SpectraCompare, SaysWhatItCannotCompare) {
             ExitCode::bad_input);
 }
 
+TEST(SpectraCompare, RefusesWhatIsNoNumber) {
+  for (const char* limit : {"nan", "NaN", "-nan", "-1", "x", ""}) {
+    const Said said = say({"spectra", "compare", "TCS01", "TCS02", "--max", limit});
+    EXPECT_EQ(said.code, ExitCode::bad_input) << limit;
+    EXPECT_NE(said.err.find("--max"), std::string::npos) << said.err;
+  }
+}
+
+TEST(SpectraCompare, SaysWhatItTookItsLightsFor) {
+  const client::TemporaryFolder folder;
+  const std::string lamps = folder.write("lamps.csv", "um;warm;cold\n0,4;-1;5\n0,5;2;4\n0,6;5;2\n");
+  const Said said =
+      say({"spectra", "compare", "TCS01", "TCS02", "--under", "D65," + lamps + "#warm@clamp"});
+  EXPECT_EQ(said.code, ExitCode::done) << said.err;
+  EXPECT_NE(said.err.find("1 of 3 values were below 0 and are clamped"), std::string::npos)
+      << said.err;
+}
+
 TEST(SpectraInfo, SaysWhatAFileWasTakenFor) {
   const client::TemporaryFolder folder;
   const std::string percent = folder.write("percent.csv", "nm,R\n400,20\n500,50\n600,80\n");

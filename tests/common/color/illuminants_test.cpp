@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "common/color/chromaticity.h"
@@ -64,16 +65,47 @@ TEST(Illuminants, SayWhatIsWrongWithAName) {
   EXPECT_EQ(fault_of("D66"), "\"D66\" is not a standard illuminant; did you mean \"D65\"?");
   EXPECT_EQ(fault_of("D:3000K"), "\"D:3000K\" is out of range: daylight may have 4000 to 25000 K");
   EXPECT_EQ(fault_of("499K"), "\"499K\" is out of range: a black body may have 500 to 1e+06 K");
-  for (const char* name : {"D:3000K", "D:6504K", "499K", "2856K"})
-    EXPECT_TRUE(names_temperature(name)) << name;
-  for (const char* name : {"D65", "D66", "K", "D:", "K2"})
-    EXPECT_FALSE(names_temperature(name)) << name;
+  for (const char* name : {"D:3000K", "D:6504K", "499K", "2856K", "2856", "546.1nm", "436nm+12nm"})
+    EXPECT_TRUE(names_formula(name)) << name;
+  for (const char* name : {"D65", "D66", "K", "D:", "K2", "nm", "546nm+"})
+    EXPECT_FALSE(names_formula(name)) << name;
   EXPECT_EQ(fault_of("D:4000K"), "no error");
   EXPECT_EQ(fault_of("D:25000K"), "no error");
   EXPECT_EQ(fault_of("5003.5K"), "no error");
-  for (const char* name :
-       {"", "K", "D:", "D:K", "D:65", "-1K", "1e3K", "nanK", "infK", "2856 K", "D:6504"})
+  for (const char* name : {"", "K", "D:", "D:K", "nm", "+", "546nm:", "546nm+", "546nm:x", "nannm",
+                           "1e3nm", "D:65", "-1K", "1e3K", "nanK", "infK", "2856 K", "D:6504"})
     EXPECT_NE(fault_of(name), "no error") << name;
+}
+
+TEST(Illuminants, ThatLackAUnitOrASignAreToldHowTheyAreWritten) {
+  const std::string no = " is not a standard illuminant; ";
+  for (const char* name : {"2856", "2856 K", "2856k"})
+    EXPECT_EQ(fault_of(name), quoted(name) + no + "a black body of that temperature is \"2856K\"");
+  for (const char* name : {"D:6504", "D6504", "D6504K", "d:6504K", "D:6504 K"})
+    EXPECT_EQ(fault_of(name), quoted(name) + no + "daylight of that temperature is \"D:6504K\"");
+  EXPECT_EQ(fault_of("546 nm"), "\"546 nm\"" + no + "a line is \"546nm\"");
+}
+
+TEST(Illuminants, OfLinesAreTheMixtureOfTheirColours) {
+  // CIE 1931, 2°, x̄ ȳ z̄ at 435, 545 and 610 nm (CIE 15, table 5).
+  expect_white("435nm", 0.1669, 0.0086, 1e-4);
+  expect_white("545nm", 0.2658, 0.7243, 1e-4);
+  const std::array<double, 3> at435 = {0.3285, 0.01684, 1.62296}, at610 = {1.0026, 0.503, 0.00034};
+  std::array<double, 3> mixed{};
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) sum += mixed[i] = 0.5 * at435[i] + 2 * at610[i];
+  for (const char* name : {"435nm:0.5+610nm:2", "610nm:2+435nm:0.5", "610nm:4+435nm"})
+    expect_white(name, mixed[0] / sum, mixed[1] / sum, 1e-4);
+}
+
+TEST(Illuminants, OfLinesThatNobodySeesOrWithoutPowerAreRefused) {
+  EXPECT_EQ(fault_of("1064nm"),
+            "\"1064nm\" is out of range: a line lies between 360 and 830 nm (it is 1064)");
+  EXPECT_EQ(fault_of("546nm:0"), "\"546nm:0\": a line's power is above 0");
+  EXPECT_EQ(fault_of("546nm:-1"), "\"546nm:-1\": a line's power is above 0");
+  std::string many = "400nm";
+  for (int i = 0; i < 256; ++i) many += "+500nm";
+  EXPECT_EQ(fault_of(many), "at most 256 lines are possible");
 }
 
 }  // namespace

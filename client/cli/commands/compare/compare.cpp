@@ -55,22 +55,27 @@ std::optional<Xyz> parse_xyz(std::string_view text) {
   return next == end ? std::optional(xyz) : std::nullopt;
 }
 
-/// What --white says; else the light of --under; else sRGB's white.
-Result<White> find_white(const CompareOptions& options, const Observer& observer) {
+/// What --white says; else the light of --under; else sRGB's white. Nothing where that is none,
+/// which is said.
+std::optional<White> find_white(const CompareOptions& options, const Observer& observer,
+                                const Spectrum& under, Report& report) {
   if (options.white.find(',') != std::string::npos) {
     const std::optional<Xyz> xyz = parse_xyz(options.white);
-    if (!xyz)
-      return problem("--white: " + quoted(options.white) + " is not X,Y,Z, such as 0.95,1,1.09");
-    for (const double value : *xyz)
-      if (!(value > 0) || !std::isfinite(value))
-        return problem("--white: X, Y and Z must be finite and above 0");
-    return White{"X,Y,Z", *xyz};
+    const bool finite = xyz && std::all_of(xyz->begin(), xyz->end(), [](double value) {
+                          return value > 0 && std::isfinite(value);
+                        });
+    if (finite) return White{"X,Y,Z", *xyz};
+    report.error(xyz ? "--white: X, Y and Z must be finite and above 0"
+                     : "--white: " + quoted(options.white) + " is not X,Y,Z, such as 0.95,1,1.09");
+    return std::nullopt;
   }
-  const std::string& name = options.white.empty() ? options.under : options.white;
-  if (name.empty()) return client::srgb_white();
-  return client::light_named(name, "--white").transform([&](const Spectrum& found) {
-    return White{name, metamer::white_of(found, observer)};
-  });
+  if (!options.white.empty()) {
+    const auto light = load_light(options.white, "--white", report);
+    if (!light) return std::nullopt;
+    return White{options.white, metamer::white_of(*light, observer)};
+  }
+  if (options.under.empty()) return client::srgb_white();
+  return White{options.under, metamer::white_of(under, observer)};
 }
 
 void print_difference(const Difference& difference, Report& report) {
@@ -165,19 +170,11 @@ bool check_pictures(const client::PicturePair& pictures, const CompareOptions& o
 
 /// Both pictures; nothing when one can't be read, which is said.
 std::optional<client::PicturePair> read_both(const CompareOptions& options,
-                                             const Observer& observer, Report& report) {
-  Viewing viewing{
-      .observer = observer, .under = nullptr, .weights = *find_table_weights(options.weights)};
-  Spectrum light;
-  if (!options.under.empty()) {
-    auto under = client::light_named(options.under, "--under");
-    if (!under) {
-      report.problem(under.error(), {});
-      return std::nullopt;
-    }
-    light = std::move(*under);
-    viewing.under = &light;
-  }
+                                             const Observer& observer, const Spectrum& under,
+                                             Report& report) {
+  const Viewing viewing{.observer = observer,
+                        .under = options.under.empty() ? nullptr : &under,
+                        .weights = *find_table_weights(options.weights)};
   const auto choices = choices_of(options);
   if (!choices) {
     report.error(choices.error().message);
@@ -195,12 +192,12 @@ std::optional<client::PicturePair> read_both(const CompareOptions& options,
 ExitCode compare_with(const CompareOptions& options, Report& report) {
   const auto observer = load_observer(options.observer, report);
   if (!observer) return ExitCode::bad_input;
-  const Result<White> white = find_white(options, *observer);
-  if (!white) {
-    report.problem(white.error(), {});
-    return ExitCode::bad_input;
-  }
-  const auto pictures = read_both(options, *observer, report);
+  std::optional<Spectrum> under;
+  if (!options.under.empty()) under = load_light(options.under, "--under", report);
+  if (!options.under.empty() && !under) return ExitCode::bad_input;
+  const auto white = find_white(options, *observer, under.value_or(Spectrum{}), report);
+  if (!white) return ExitCode::bad_input;
+  const auto pictures = read_both(options, *observer, under.value_or(Spectrum{}), report);
   if (!pictures) return ExitCode::bad_input;
   const auto& [a, b] = *pictures;
   const Metric metric = metric_of(options.metric);
@@ -274,7 +271,7 @@ void declare(CompareOptions& values, Options& options) {
        .type = "WHITE"});
   options.push_back({.names = "--under",
                      .target = &values.under,
-                     .meaning = "the light of reflectances (T.): D65, D:6504K, 2856K or a file",
+                     .meaning = std::string("the light of reflectances (T.): ") + light_words,
                      .type = "ILLUMINANT"});
   for (const auto& [name, target] :
        {std::pair("--part", &values.part), std::pair("--layer", &values.layer)})

@@ -98,7 +98,7 @@ void declare_observer(SpectraOptions& values, Options& options) {
 void declare_under(SpectraOptions& values, Options& options) {
   options.push_back({.names = "--under",
                      .target = &values.under,
-                     .meaning = "the light of reflectances: a name or a file",
+                     .meaning = std::string("the light of reflectances: ") + light_words,
                      .shows_default = true});
 }
 
@@ -142,7 +142,10 @@ std::optional<Spectrum> load_for(Use use, const std::string& file, Report& repor
 
 std::optional<Spectrum> load_light(const std::string& word, const std::string& option,
                                    Report& report) {
-  auto light = loaded_or_told(client::load_one(word, {.use = Use::emission}), report);
+  auto loaded = client::load_one(word, {.use = Use::emission});
+  if (!loaded && loaded.error().problem.line == 0)
+    loaded.error().problem.message.insert(0, option + ": ");
+  auto light = loaded_or_told(std::move(loaded), report);
   if (!light) return std::nullopt;
   tell_notes(*light, report);
   const std::string fault = light->emission()
