@@ -1,5 +1,8 @@
 #include "server/service/asset_store.h"
 
+#include <spdlog/spdlog.h>
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -47,7 +50,18 @@ std::pair<Digest, std::uint64_t> digest_of_file(const fs::path& path) {
   return {sum.finish(), size};
 }
 
+std::int64_t nanoseconds(const timespec& time) {
+  return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+}
+
 }  // namespace
+
+FileStamp FileStamp::of(const fs::path& file) {
+  struct stat status {};
+  if (::lstat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return {};
+  return {status.st_dev, status.st_ino, static_cast<std::uint64_t>(status.st_size),
+          nanoseconds(status.st_mtim), nanoseconds(status.st_ctim)};
+}
 
 AssetStore::AssetStore(fs::path folder, std::uint64_t quota)
     : folder_(std::move(folder)), quota_(quota) {}
@@ -94,14 +108,37 @@ Result<void> AssetStore::scan() {
 }
 
 void AssetStore::insert(const Digest& digest, std::uint64_t size) {
-  assert(!has(digest));
+  assert(!assets_.contains(digest));
   const auto use = by_use_.insert(by_use_.end(), digest);
-  assets_.emplace(digest, Asset{size, 0, use});
+  assets_.emplace(digest, Asset{size, 0, use, FileStamp::of(file(digest))});
+}
+
+bool AssetStore::has(const Digest& digest) {
+  const auto found = assets_.find(digest);
+  if (found == assets_.end() || found->second.damaged) return false;
+  Asset& asset = found->second;
+  const FileStamp stamp = FileStamp::of(file(digest));
+  if (stamp == asset.stamp) return true;
+  asset.damaged = stamp.size != asset.size || digest_of_file(file(digest)).first != digest;
+  if (asset.damaged) spdlog::error("the store's {} is damaged", file(digest).string());
+  asset.stamp = stamp;
+  return !asset.damaged;
+}
+
+bool AssetStore::damaged(const Digest& digest) const {
+  const auto found = assets_.find(digest);
+  return found != assets_.end() && found->second.damaged;
+}
+
+void AssetStore::mend(const Digest& digest) {
+  Asset& asset = assets_.at(digest);
+  asset.stamp = FileStamp::of(file(digest));
+  asset.damaged = false;
 }
 
 bool AssetStore::hold(const Digest& digest) {
+  if (!has(digest)) return false;
   const auto found = assets_.find(digest);
-  if (found == assets_.end()) return false;
   ++found->second.holds;
   by_use_.splice(by_use_.end(), by_use_, found->second.use);
   return true;
@@ -144,7 +181,7 @@ void AssetStore::evict(const Digest& digest) {
 }
 
 bool AssetHolds::add(const Digest& digest) {
-  if (held_.contains(digest)) return true;
+  if (held_.contains(digest)) return store_->has(digest);
   if (!store_->hold(digest)) return false;
   held_.insert(digest);
   return true;
@@ -153,6 +190,17 @@ bool AssetHolds::add(const Digest& digest) {
 void AssetHolds::clear() {
   for (const Digest& digest : held_) store_->release(digest);
   held_.clear();
+}
+
+std::optional<Digest> AssetHolds::damaged() const {
+  const auto found = std::find_if(held_.begin(), held_.end(),
+                                  [&](const auto& held) { return !store_->has(held); });
+  return found == held_.end() ? std::nullopt : std::optional(*found);
+}
+
+std::string AssetHolds::describe_damage(const Digest& digest, const std::string& name) const {
+  return "the server's file of " + name + " is damaged: " + store_->file(digest).string() +
+         "; send it again";
 }
 
 }  // namespace metamer::service

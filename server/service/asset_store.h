@@ -5,6 +5,7 @@
 #include <list>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,9 +16,23 @@
 
 namespace metamer::service {
 
+/// What tells that a file is still the one that was looked at, without reading it.
+struct FileStamp {
+  std::uint64_t device = 0;
+  std::uint64_t inode = 0;
+  std::uint64_t size = 0;
+  std::int64_t modified = 0;  ///< Nanoseconds since 1970, as is the next.
+  std::int64_t changed = 0;   ///< Of the inode: programs can't set it.
+  bool operator==(const FileStamp&) const = default;
+
+  /// All 0 where there is no regular file.
+  static FileStamp of(const std::filesystem::path& file);
+};
+
 /// A folder of assets, each a file that is named by the hex of its digest. It holds at most `quota`
 /// bytes: the assets that were not used for longest go first, but never one that is held. Whoever
-/// holds an asset keeps the store too.
+/// holds an asset keeps the store too. A file that was changed or removed behind the store's back
+/// makes its asset a damaged one, which counts as missing until it is uploaded anew.
 class AssetStore : public std::enable_shared_from_this<AssetStore> {
  public:
   /// Opens or makes the folder. Left-overs of broken uploads are removed, and so is every file
@@ -29,7 +44,10 @@ class AssetStore : public std::enable_shared_from_this<AssetStore> {
   AssetStore(const AssetStore&) = delete;
   AssetStore& operator=(const AssetStore&) = delete;
 
-  bool has(const Digest& digest) const { return assets_.contains(digest); }
+  /// Looks at the file, and reads it where it is not the one that was looked at last.
+  bool has(const Digest& digest);
+  bool damaged(const Digest& digest) const;
+  std::filesystem::path file(const Digest& digest) const { return folder_ / to_hex(digest); }
   /// Held and promised bytes; never above the quota.
   std::uint64_t bytes() const { return bytes_; }
   const std::filesystem::path& folder() const { return folder_; }
@@ -42,18 +60,20 @@ class AssetStore : public std::enable_shared_from_this<AssetStore> {
     std::uint64_t size = 0;
     std::uint64_t holds = 0;
     std::list<Digest>::iterator use;  // in by_use_
+    FileStamp stamp;
+    bool damaged = false;
   };
 
   AssetStore(std::filesystem::path folder, std::uint64_t quota);
   Result<void> scan();
   void insert(const Digest& digest, std::uint64_t size);
+  void mend(const Digest& digest);  // its file is there anew
   bool hold(const Digest& digest);
   void release(const Digest& digest);
   /// Makes room for `size` bytes and counts them as used. Refused (LIMIT) when what is held leaves
   /// too little.
   tl::expected<void, Refusal> promise(std::uint64_t size);
   void evict(const Digest& digest);
-  std::filesystem::path file(const Digest& digest) const { return folder_ / to_hex(digest); }
 
   std::filesystem::path folder_;
   std::uint64_t quota_ = 0;
@@ -72,9 +92,13 @@ class AssetHolds {
       : store_(other.store_), held_(std::exchange(other.held_, {})) {}
   AssetHolds& operator=(AssetHolds&&) = delete;
 
-  /// False when the store has no such asset.
+  /// False when the store has no such asset, or a damaged one.
   bool add(const Digest& digest);
   void clear();
+  /// One of them that is damaged by now, if any.
+  std::optional<Digest> damaged() const;
+  /// "the server's file of NAME is damaged: PATH; send it again"
+  std::string describe_damage(const Digest& digest, const std::string& name) const;
   std::size_t size() const { return held_.size(); }
 
  private:

@@ -88,6 +88,8 @@ tl::expected<void, Refusal> AssetUpload::commit() {
   std::error_code error;
   fs::rename(temporary_, store_->file(digest_), error);
   if (error) return refuse(v1::Error::INTERNAL, "can't store an asset: " + error.message());
+  // The bytes of one that was damaged are counted already.
+  if (store_->damaged(digest_)) return store_->mend(digest_), tl::expected<void, Refusal>();
   std::exchange(store_, nullptr)->insert(digest_, size_);
   return {};
 }

@@ -209,6 +209,8 @@ tl::expected<AssetHolds, Refusal> Dispatch::hold(const std::string& scene, const
     const auto digest = to_digest(bytes);
     if (!digest) return tl::unexpected(digest.error());
     if (holds.add(*digest)) return {};
+    if (context_.store.damaged(*digest))
+      return refuse(v1::Error::MISSING_ASSET, holds.describe_damage(*digest, name));
     return refuse(v1::Error::MISSING_ASSET,
                   "the store lacks " + name + " (" + to_hex(*digest) + ")");
   };

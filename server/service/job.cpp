@@ -39,6 +39,15 @@ v1::JobSummary Job::summary() const {
   return summary;
 }
 
+std::optional<std::string> Job::damage() const {
+  const auto damaged = assets_.damaged();
+  if (!damaged) return std::nullopt;
+  for (const v1::AssetName& asset : submit_.asset())
+    if (asset.sha256() == to_bytes(*damaged))
+      return assets_.describe_damage(*damaged, asset.name());
+  return assets_.describe_damage(*damaged, "the scene");
+}
+
 bool Job::take(Step step) {
   const auto next = next_state(state_, step);
   if (!next) return false;
@@ -52,6 +61,7 @@ bool Job::take(Step step) {
   }
   state_since_ = now;
   state_ = *next;
+  reason_.clear();
   return true;
 }
 
@@ -83,11 +93,12 @@ bool Job::retry(const std::string& reason) {
 
 bool Job::restart(const std::string& reason, const v1::Method& better) {
   assert(planned_);
+  PreviewSums preview(width_, height_);
   if (restarted_ || !take(Step::retry)) return false;
   restarted_ = replans_ = true;
   method_ = better;
   log_.drop_pictures();
-  preview_ = PreviewSums(width_, height_);
+  preview_ = std::move(preview);
   done_.assign(grid_.size(), false);
   tiles_done_ = 0;
   v1::JobEvent event;
@@ -176,7 +187,7 @@ Result<void> Job::plan(const v1::Plan& plan) {
     return {};
   }
 
-  planned_ = true;
+  // Last what says that all is there: memory may run out on the way.
   width_ = plan.width();
   height_ = plan.height();
   tile_size_ = plan.tile_size();
@@ -184,6 +195,7 @@ Result<void> Job::plan(const v1::Plan& plan) {
   verifies_ = plan.verify_cost() > 0;
   grid_ = TileGrid(width_, height_, tile_size_);
   append_planned(plan);
+  planned_ = true;
   return {};
 }
 
@@ -197,11 +209,10 @@ bool Job::make_film() {
   assert(planned_);
   render_since_ = whole_since_ = Clock::now();
   if (film_.ok()) return true;
-  film_ = Film(width_, height_);
-  if (!film_.ok()) return false;
   preview_ = PreviewSums(width_, height_);
   done_.assign(grid_.size(), false);
-  return true;
+  film_ = Film(width_, height_);
+  return film_.ok();
 }
 
 std::vector<std::uint32_t> Job::missing_tiles(std::size_t most) const {

@@ -46,7 +46,11 @@ class Job {
   /// The memory that its picture takes.
   std::uint64_t picture_bytes() const { return film_bytes() + factor_bytes_; }
   v1::JobSummary summary() const;
+  /// Which of its assets is damaged in the store; nothing when none is.
+  std::optional<std::string> damage() const;
 
+  /// Says what a queued job waits for, besides those ahead of it.
+  void hold(std::string reason) { reason_ = std::move(reason); }
   bool start();
   /// The worker was lost: the first time the job is queued again (true), then it has to fail.
   bool retry(const std::string& reason);
@@ -144,7 +148,7 @@ class Job {
   std::uint32_t tiles_done_ = 0;
   std::uint32_t attempt_tiles_ = 0;  // of them, since the last start
   std::uint64_t rays_ = 0;
-  std::string reason_;  // why it failed
+  std::string reason_;  // why it failed, or still waits
 
   Clock::time_point submitted_ = Clock::now();
   Clock::time_point state_since_ = submitted_;

@@ -54,6 +54,11 @@ bool JobQueue::has_work(v1::Backend backend) const {
                      [&](const JobPtr& job) { return job->submit().backend() == backend; });
 }
 
+void JobQueue::hold(v1::Backend backend, const std::string& reason) {
+  for (const JobPtr& job : line_)
+    if (job->submit().backend() == backend) job->hold(reason);
+}
+
 void JobQueue::put_first(JobPtr job) {
   assert(job->state() == v1::QUEUED);
   line_.push_front(std::move(job));

@@ -46,6 +46,9 @@ class JobQueue {
   /// Says that `job` has ended, and drops what is too much.
   void ended(Job& job);
 
+  /// Tells whoever asks what a backend's queued jobs wait for.
+  void hold(v1::Backend backend, const std::string& reason);
+
   bool has_work(v1::Backend backend) const;
   std::uint32_t queued() const { return static_cast<std::uint32_t>(line_.size()); }
   std::uint32_t running() const;

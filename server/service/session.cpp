@@ -84,7 +84,7 @@ asio::awaitable<void> Session::read_requests() {
     }
     // Welcome says what the workers can do; they say so soon after the start.
     if (request.has_hello()) co_await context_.cpu.wait_for_capabilities();
-    if (request.has_get_info()) {
+    if (request.has_get_info() && dispatch_.greeted()) {
       context_.gl.start();
       co_await context_.gl.wait_for_capabilities();
     }

@@ -10,8 +10,6 @@ namespace metamer::service {
 
 namespace {
 
-/// The first restart after a failed start waits this long, each further one twice as long.
-constexpr std::chrono::milliseconds first_backoff{100};
 constexpr std::chrono::milliseconds last_backoff{5000};
 /// So many failed starts in a row are no accident: jobs are told instead of kept waiting.
 constexpr std::uint32_t hopeless_starts = 3;
@@ -63,6 +61,15 @@ void Supervisor::start_worker() {
                            {[this](v1::WorkerEnvelope message) { on_message(std::move(message)); },
                             [this](const std::string& reason) { on_exit(reason); }});
   state_ = State::starting;
+  if (!worker && worker.error().shortage) {
+    spdlog::warn("no {} worker starts yet: {}", word(backend()), worker.error().message);
+    last_exit_ = worker.error().message;
+    state_ = State::down;
+    queue_.hold(backend(), "waits for a worker: " + last_exit_);
+    start_was_tried_ = true;
+    capabilities_signal_.cancel();
+    return start_again();
+  }
   if (!worker) return on_exit(worker.error().message);
   worker_ = *worker;
   spdlog::info("{} worker {} started", word(backend()), worker_->pid());
@@ -89,9 +96,12 @@ void Supervisor::on_exit(const std::string& reason) {
   if (before != State::starting) views_.end(backend(), "the worker was lost: " + reason);
   if (before != State::starting && before != State::idle) return start_worker();
   if (++failed_starts_ >= hopeless_starts) fail_queue(reason);
-  const auto wait =
-      std::min(last_backoff, first_backoff * (1u << std::min(failed_starts_ - 1, 6u)));
-  restart_.expires_after(wait);
+  start_again();
+}
+
+void Supervisor::start_again() {
+  restart_.expires_after(backoff_);
+  backoff_ = std::min(last_backoff, 2 * backoff_);
   restart_.async_wait([this](boost::system::error_code cancelled) {
     // It may have run out just before it was cancelled.
     if (!cancelled && state_ == State::down) start_worker();
@@ -157,11 +167,21 @@ void Supervisor::distrust(const std::string& what) { worker_->kill(what); }
 
 // ---- Jobs
 
+/// The next job whose assets are what they were. False when there is none.
+bool Supervisor::take_job() {
+  while ((job_ = queue_.next(backend()))) {
+    const auto damage = job_->damage();
+    if (!damage) return true;
+    job_->fail(v1::Failed::SERVER, *damage);
+    queue_.ended(*job_);
+  }
+  return false;
+}
+
 void Supervisor::work() {
   if (state_ == State::asleep && queue_.has_work(backend())) return start_worker();
   if (state_ != State::idle) return;
-  job_ = queue_.next(backend());
-  if (!job_) return;
+  if (!take_job()) return;
   job_->start();
   spdlog::info("job {} ({}) started", job_->id(), job_->submit().name());
 

@@ -63,11 +63,14 @@ class Supervisor {
     stopped,    // for good
   };
   using Clock = std::chrono::steady_clock;
+  /// The first restart after a failed start waits this long, each further one twice as long.
+  static constexpr std::chrono::milliseconds first_backoff{100};
 
   // The worker's life.
   void start_worker();
   void on_message(v1::WorkerEnvelope message);
   void on_exit(const std::string& reason);
+  void start_again();
   void give_up();
   void watch();  // sets the timer to the next moment at which something is overdue
   void check_overdue();
@@ -93,6 +96,7 @@ class Supervisor {
   /// Ends the worker because of what it said or did.
   void distrust(const std::string& what);
   void job_is_over();
+  bool take_job();
   void lose_job(const std::string& reason);
   void fail_queue(const std::string& reason);
   bool has_job() const;
@@ -110,7 +114,8 @@ class Supervisor {
   std::shared_ptr<WorkerProcess> worker_;
   JobQueue::JobPtr job_;  // in compiling, rendering and stopping
   std::uint32_t starts_ = 0;
-  std::uint32_t failed_starts_ = 0;  // in a row
+  std::uint32_t failed_starts_ = 0;  // in a row, but for shortages
+  std::chrono::milliseconds backoff_{first_backoff};
   std::string last_exit_;
   std::string obstacle_;  // why the worker that starts can't, in its own words
   std::string sandbox_;

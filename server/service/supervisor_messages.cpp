@@ -74,7 +74,10 @@ void Supervisor::on_ready(v1::WorkerReady ready) {
 
 void Supervisor::on_heartbeat(const v1::Heartbeat& beat) {
   // It has run for a while: its exit will not be one of a failed start.
-  if (state_ != State::starting) failed_starts_ = 0;
+  if (state_ != State::starting) {
+    failed_starts_ = 0;
+    backoff_ = first_backoff;
+  }
   says_busy_ = beat.busy();
   if (is_busy() && beat.work() == last_work_) return;
   last_work_ = beat.work();

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
+#include <spdlog/spdlog.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
@@ -86,6 +87,11 @@ int start(const WorkerCommand& command, int socket, int film, pid_t& pid) {
   return error;
 }
 
+bool is_shortage(int error) {
+  return error == EMFILE || error == ENFILE || error == EAGAIN || error == ENOMEM ||
+         error == ENOBUFS || error == ENOSPC;
+}
+
 }  // namespace
 
 std::string describe_exit(int wait_status) {
@@ -97,11 +103,12 @@ std::string describe_exit(int wait_status) {
   return "exited with code " + std::to_string(WEXITSTATUS(wait_status));
 }
 
-Result<std::shared_ptr<WorkerProcess>> WorkerProcess::spawn(const asio::any_io_executor& executor,
-                                                            const WorkerCommand& command,
-                                                            Handlers handlers) {
+tl::expected<std::shared_ptr<WorkerProcess>, WorkerProcess::SpawnError> WorkerProcess::spawn(
+    const asio::any_io_executor& executor, const WorkerCommand& command, Handlers handlers) {
   const auto failed = [&](int error) {
-    return problem("can't start " + command.program.string() + ": " + std::strerror(error));
+    return tl::unexpected(
+        SpawnError{"can't start " + command.program.string() + ": " + std::strerror(error),
+                   is_shortage(error)});
   };
   std::array<int, 2> pair{-1, -1};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair.data()) != 0) return failed(errno);
@@ -122,17 +129,28 @@ Result<std::shared_ptr<WorkerProcess>> WorkerProcess::spawn(const asio::any_io_e
     ::waitpid(pid, nullptr, 0);
     return failed(error);
   }
-  wire::Socket socket(executor, asio::local::stream_protocol(), ours.release());
-  auto process = std::shared_ptr<WorkerProcess>(
-      new WorkerProcess(pid, pidfd, film.release(), std::move(socket), std::move(handlers)));
+  boost::system::error_code error;
+  wire::Socket socket(executor);
+  asio::posix::stream_descriptor exit(executor);
+  socket.assign(asio::local::stream_protocol(), ours.get(), error);
+  if (!error) ours.release(), exit.assign(pidfd, error);
+  if (error) {
+    ::kill(pid, SIGKILL);
+    ::waitpid(pid, nullptr, 0);
+    if (!exit.is_open()) ::close(pidfd);
+    return failed(error.value());
+  }
+  auto process = std::shared_ptr<WorkerProcess>(new WorkerProcess(
+      pid, std::move(exit), film.release(), std::move(socket), std::move(handlers)));
   process->run();
   return process;
 }
 
-WorkerProcess::WorkerProcess(pid_t pid, int pidfd, int film, wire::Socket socket, Handlers handlers)
+WorkerProcess::WorkerProcess(pid_t pid, asio::posix::stream_descriptor exit, int film,
+                             wire::Socket socket, Handlers handlers)
     : pid_(pid),
       film_(film),
-      exit_(socket.get_executor(), pidfd),
+      exit_(std::move(exit)),
       channel_(std::move(socket), wire::Peer::worker),
       handlers_(std::move(handlers)),
       unsent_signal_(channel_.executor(), asio::steady_timer::time_point::max()),
@@ -146,7 +164,12 @@ WorkerProcess::~WorkerProcess() {
 void WorkerProcess::run() {
   const auto self = shared_from_this();
   const auto keep = [self](const std::exception_ptr& error) {
-    if (error) std::rethrow_exception(error);
+    try {
+      if (error) std::rethrow_exception(error);
+    } catch (const std::exception& exception) {
+      spdlog::error("worker {} is ended: {}", self->pid_, exception.what());
+      self->kill(exception.what());
+    }
   };
   asio::co_spawn(channel_.executor(), read_messages(), keep);
   asio::co_spawn(channel_.executor(), write_messages(), keep);
@@ -158,7 +181,7 @@ void WorkerProcess::send(v1::WorkerEnvelope message) {
   unsent_signal_.cancel();
 }
 
-asio::awaitable<void> WorkerProcess::read_messages() {
+asio::awaitable<void> WorkerProcess::hear_messages() {
   while (true) {
     v1::WorkerEnvelope message;
     const auto got = co_await channel_.read(message);
@@ -170,6 +193,15 @@ asio::awaitable<void> WorkerProcess::read_messages() {
     }
     // What a process says that is being ended is not heard.
     if (kill_reason_.empty() && handlers_.message) handlers_.message(std::move(message));
+  }
+}
+
+asio::awaitable<void> WorkerProcess::read_messages() {
+  // A worker decides what its messages cost: the memory that one takes may not be there.
+  try {
+    co_await hear_messages();
+  } catch (const std::exception& exception) {
+    kill(std::string("sent a message that could not be handled: ") + exception.what());
   }
   reading_ = false;
   report_if_over();

@@ -33,15 +33,19 @@ struct WorkerCommand {
 class WorkerProcess : public std::enable_shared_from_this<WorkerProcess> {
  public:
   struct Handlers {
+    /// What it throws ends the process.
     std::function<void(v1::WorkerEnvelope)> message;
     /// Once, last: the process is gone, and why: "killed by signal 9 (Killed)".
     std::function<void(std::string reason)> exit;
   };
 
-  /// Starts the process. Errors: "can't start PATH: No such file or directory".
-  static Result<std::shared_ptr<WorkerProcess>> spawn(const asio::any_io_executor& executor,
-                                                      const WorkerCommand& command,
-                                                      Handlers handlers);
+  struct SpawnError {
+    std::string message;    ///< "can't start PATH: No such file or directory"
+    bool shortage = false;  ///< Of descriptors, processes or memory: it may pass.
+  };
+  /// Starts the process.
+  static tl::expected<std::shared_ptr<WorkerProcess>, SpawnError> spawn(
+      const asio::any_io_executor& executor, const WorkerCommand& command, Handlers handlers);
   ~WorkerProcess();
 
   pid_t pid() const { return pid_; }
@@ -63,9 +67,11 @@ class WorkerProcess : public std::enable_shared_from_this<WorkerProcess> {
   void abandon();
 
  private:
-  WorkerProcess(pid_t pid, int pidfd, int film, wire::Socket socket, Handlers handlers);
+  WorkerProcess(pid_t pid, asio::posix::stream_descriptor exit, int film, wire::Socket socket,
+                Handlers handlers);
   void run();
   asio::awaitable<void> read_messages();
+  asio::awaitable<void> hear_messages();
   asio::awaitable<void> write_messages();
   asio::awaitable<void> await_exit();
   void report_if_over();

@@ -18,7 +18,8 @@
 //   it factors N          send N bytes of factors for the scene, and N for each tile once the
 //   trouble above comes in the first attempt only
 // A pixel of the picture is (x, y, 1). A file beside the store can spoil the start: `no-start`
-// makes it exit with code 3, `never-ready` keeps it from saying that it is ready.
+// makes it exit with code 3, `never-ready` keeps it from saying that it is ready. One for GL leaves
+// the file `started-gl` there.
 
 #include <fcntl.h>
 #include <poll.h>
@@ -329,8 +330,13 @@ int run(const fs::path& store) {
 }  // namespace
 
 int main(int count, char** arguments) {
+  const bool gl = std::any_of(arguments, arguments + count, [](const char* word) {
+    return std::strcmp(word, "--gl-device") == 0;
+  });
   for (int i = 1; i + 1 < count; ++i) {
-    if (std::strcmp(arguments[i], "--store") == 0) return run(arguments[i + 1]);
+    if (std::strcmp(arguments[i], "--store") != 0) continue;
+    if (gl) std::ofstream(std::string(arguments[i + 1]) + "/../started-gl").put('x');
+    return run(arguments[i + 1]);
   }
   return 2;
 }

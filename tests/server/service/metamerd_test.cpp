@@ -98,7 +98,7 @@ class Metamerd : public testing::Test {
     std::size_t count = 0;
     for (const auto& entry : fs::directory_iterator(folder_.path())) {
       const std::string name = entry.path().filename();
-      count += name != "log" && !name.starts_with("attempted");
+      count += name != "log" && name != "started-gl" && !name.starts_with("attempted");
     }
     return count;
   }

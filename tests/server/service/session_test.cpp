@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <random>
 
 #include "common/digest.h"
@@ -71,6 +72,16 @@ TEST_F(SessionTest, HelloComesFirstAndOnce) {
   client_.hello();
   expect_error(client_.ask(hello(1)), v1::Error::ORDER, "Hello was said before");
   client_.ping();
+}
+
+TEST_F(SessionTest, NothingIsStartedForWhoHasNotSaidHello) {
+  v1::Envelope info;
+  info.mutable_get_info();
+  expect_error(client_.ask(info), v1::Error::ORDER, "the first message has to be Hello");
+  EXPECT_FALSE(std::filesystem::exists(daemon_.folder() / "started-gl"));
+  client_.hello();
+  EXPECT_TRUE(client_.ask(info).has_info());
+  EXPECT_TRUE(std::filesystem::exists(daemon_.folder() / "started-gl"));
 }
 
 TEST_F(SessionTest, UnknownMessagesGetAnErrorAndTheSessionGoesOn) {
