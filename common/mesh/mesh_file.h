@@ -12,8 +12,8 @@ namespace metamer {
 
 /// The triangles of a file that bear one name and one material, in a row.
 struct MeshPiece {
-  std::string object;    ///< Of a glTF's node, an OBJ's g, else its o; may be empty. UTF-8.
-  std::string material;  ///< Its name in the file; may be empty. UTF-8.
+  std::string object = {};    ///< Of a glTF's node, an OBJ's g, else its o; may be empty. UTF-8.
+  std::string material = {};  ///< Its name in the file; may be empty. UTF-8.
   std::uint64_t first_triangle = 0, triangles = 0;
 };
 
@@ -35,9 +35,9 @@ struct MeshFile {
 
 /// What is to become of a file.
 struct MeshUse {
-  std::string part;                    ///< See select_part(); empty: all of it.
-  std::optional<double> crease_angle;  ///< Degrees; see smooth_normals().
-  bool tangents = false;               ///< From the UVs, as far as there are any.
+  std::string part = {};                    ///< See select_part(); empty: all of it.
+  std::optional<double> crease_angle = {};  ///< Degrees; see smooth_normals().
+  bool tangents = false;                    ///< From the UVs, as far as there are any.
 };
 
 /// The bytes of a file by its name; a mapped file is not copied.

@@ -93,7 +93,7 @@ class Reader {
     if (first_.get()) return tl::unexpected(*first_.get());
     std::erase_if(mesh_.triangles, [](const Triangle& t) { return t[0] == t[1]; });
     if (mesh_.triangles.empty()) return problem_at(0, "holds no triangles");
-    mesh_.pieces = {{.object = {}, .material = {}, .triangles = mesh_.triangles.size()}};
+    mesh_.pieces = {{.triangles = mesh_.triangles.size()}};
     mesh_.skipped_faces = skipped_;
     return std::move(mesh_);
   }

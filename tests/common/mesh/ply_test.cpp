@@ -206,6 +206,35 @@ TEST(Ply, ABinaryFileThatIsCutShortIsRefused) {
   EXPECT_EQ(problem_of(ply_of(header + body.substr(0, 40))), "a.ply: error: ends in face 0 of 1");
 }
 
+TEST(Ply, ASurveysCoordinatesKeepTheirDigits) {
+  // The case's own spelling: a file in f64, 5,400 km from its origin, and the same beside it.
+  std::string far, near;
+  for (int i = 0; i < 900; ++i) {
+    const int x = i % 30, y = i / 30;
+    char line[100];
+    std::snprintf(line, sizeof line, "%.3f %.3f %.3f\n", 412345.678 + x * 0.04, 310.25 + y * 0.04,
+                  -5412345.678);
+    far += line;
+    std::snprintf(line, sizeof line, "%.3f %.3f 0\n", x * 0.04, y * 0.04);
+    near += line;
+  }
+  std::string faces;
+  for (int i = 0; i < 29; ++i)
+    faces += "3 " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 31) +
+             "\n";
+  std::string wide = ascii(900, 29, far + faces);
+  for (std::size_t at; (at = wide.find("float")) != wide.npos;) wide.replace(at, 5, "double");
+  const TriangleMesh survey = used(ply_of(wide)),
+                     local = used(ply_of(ascii(900, 29, near + faces)));
+  ASSERT_EQ(survey.triangles.size(), local.triangles.size());
+  const Double3 origin{412345.678, 310.25, -5412345.678};
+  for (std::size_t i = 0; i < 900; ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(survey.positions[i][k] - origin[k], local.positions[i][k], 1e-6);
+  for (std::size_t i = 0; i < 29; ++i)
+    EXPECT_LT(degrees_between(survey.normals[i], local.normals[i]), 1e-3);
+}
+
 TEST(Ply, MutatedFilesEndInMeshesOrProblems) {
   for (const char* name : {"crash-1-0-m.ply", "crash-1-18-m.ply", "crash-1-36-m.ply",
                            "crash-2-2-m.ply", "crash-2-38-m.ply"}) {
