@@ -7,7 +7,7 @@
 
 #include "common/mesh/corner_angles.h"
 #include "common/mesh/equal_positions.h"
-#include "common/mesh/exact_sums.h"
+#include "common/mesh/exact_sum.h"
 #include "common/mesh/parallel.h"
 #include "common/mesh/smooth_normals.h"
 
@@ -106,7 +106,7 @@ class Creases {
   void split_vertices() {
     constexpr std::uint32_t none = 0xFFFFFFFF;
     const std::vector<std::uint32_t> numbers = number_groups();
-    ExactSums sums(groups_in_use_);
+    std::vector<ExactSum> sums(groups_in_use_);
     std::vector<std::uint32_t> first(vertex_count(mesh_), none);
     boost::unordered_flat_map<std::uint64_t, std::uint32_t> others;
     std::vector<std::uint32_t> groups_of_others;
@@ -114,7 +114,7 @@ class Creases {
       if (!spans(corner / 3)) continue;
       const CornerAngles& angles = corners_[corner / 3];
       const std::uint32_t group = numbers[corner];
-      sums.add(group, angles.normal, angles.angles[corner % 3]);
+      sums[group].add(angles.normal, angles.angles[corner % 3]);
       std::uint32_t& vertex = mesh_.triangles[corner / 3][corner % 3];
       if (first[vertex] == none) first[vertex] = group;
       if (first[vertex] == group) continue;
@@ -127,9 +127,9 @@ class Creases {
       vertex = found->second;
     }
     for (const std::uint32_t group : first)
-      mesh_.normals.push_back(group == none ? Float3{} : unit_or_none(sums[group]));
+      mesh_.normals.push_back(group == none ? Float3{} : unit_or_none(sums[group].value()));
     for (const std::uint32_t group : groups_of_others)
-      mesh_.normals.push_back(unit_or_none(sums[group]));
+      mesh_.normals.push_back(unit_or_none(sums[group].value()));
   }
 
   std::vector<std::uint32_t> number_groups() {

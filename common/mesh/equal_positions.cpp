@@ -1,5 +1,7 @@
 #include "common/mesh/equal_positions.h"
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 
@@ -8,8 +10,6 @@
 
 namespace metamer {
 namespace {
-
-constexpr std::uint32_t free_slot = 0xFFFFFFFF;
 
 /// Mixes a place's bits (Appleby's MurmurHash3, its finalizer).
 std::uint64_t hash_of(const Double3& place) {
@@ -22,29 +22,55 @@ std::uint64_t hash_of(const Double3& place) {
   return hash;
 }
 
+/// Vertices by the hash of their places, with half of it to tell them apart; all threads fill it.
+class PlaceTable {
+ public:
+  explicit PlaceTable(const MeshFile& mesh)
+      : mesh_(mesh), slots_(std::bit_ceil(vertex_count(mesh) * 3 / 2 + 1)) {}
+
+  void prefetch(std::uint64_t hash) const { __builtin_prefetch(&slots_[slot_of(hash)], 1); }
+
+  /// The vertex that is at the place of `vertex`, which is added where none is.
+  std::uint32_t find_or_add(std::uint32_t vertex, std::uint64_t hash) {
+    const std::uint64_t mark = hash << 32;
+    for (std::size_t slot = slot_of(hash);; slot = (slot + 1) & (slots_.size() - 1)) {
+      std::uint64_t there = 0;  // A vertex is one more than its number.
+      if (slots_[slot].compare_exchange_strong(there, mark | (vertex + 1),
+                                               std::memory_order_relaxed))
+        return vertex;
+      const auto other = static_cast<std::uint32_t>(there) - 1;
+      if (there >> 32 == mark >> 32 && position(mesh_, other) == position(mesh_, vertex))
+        return other;
+    }
+  }
+
+ private:
+  std::size_t slot_of(std::uint64_t hash) const { return (hash >> 32) & (slots_.size() - 1); }
+
+  const MeshFile& mesh_;
+  std::vector<std::atomic<std::uint64_t>> slots_;  ///< Open addressing; 0: free.
+};
+
+constexpr std::size_t ahead = 32;  // Slots that are fetched while others are looked at.
+
 }  // namespace
 
 std::vector<std::uint32_t> equal_positions(const MeshFile& mesh) {
-  // A table of vertices by the hash of their places, which all threads fill: open addressing.
-  const std::size_t count = vertex_count(mesh);
-  const std::size_t slots = std::bit_ceil(count + count / 2 + 1);
-  std::vector<std::uint32_t> table(slots, free_slot), same(count);
+  PlaceTable table(mesh);
+  std::vector<std::uint32_t> same(vertex_count(mesh));
   std::atomic<bool> any{false};
-  for_ranges(count, [&](std::size_t begin, std::size_t end) {
+  for_ranges(same.size(), [&](std::size_t begin, std::size_t end) {
+    std::array<std::uint64_t, ahead> hashes;
     bool found = false;
-    for (std::size_t i = begin; i < end; ++i) {
-      const Double3 place = position(mesh, i);
-      const auto number = static_cast<std::uint32_t>(i);
-      std::size_t slot = hash_of(place) & (slots - 1);
-      std::uint32_t there = free_slot;
-      while (!std::atomic_ref(table[slot])
-                  .compare_exchange_strong(there, number, std::memory_order_relaxed) &&
-             position(mesh, there) != place) {
-        slot = (slot + 1) & (slots - 1);
-        there = free_slot;
+    for (std::size_t first = begin; first < end; first += ahead) {
+      const std::size_t count = std::min(ahead, end - first);
+      for (std::size_t i = 0; i < count; ++i)
+        table.prefetch(hashes[i] = hash_of(position(mesh, first + i)));
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto vertex = static_cast<std::uint32_t>(first + i);
+        same[vertex] = table.find_or_add(vertex, hashes[i]);
+        found = found || same[vertex] != vertex;
       }
-      same[i] = there == free_slot ? number : there;
-      found = found || same[i] != number;
     }
     if (found) any = true;
   });

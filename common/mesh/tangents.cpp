@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/mesh/corner_angles.h"
-#include "common/mesh/exact_sums.h"
-#include "common/mesh/parallel.h"
 #include "common/mesh/smooth_normals.h"
+#include "common/mesh/vertex_averages.h"
 
 namespace metamer {
 namespace {
@@ -34,29 +32,23 @@ Float3 along_surface(const Double3& direction, const Float3& normal) {
 }  // namespace
 
 std::vector<Float3> tangents_of(const MeshFile& mesh) {
-  const double step = rounding_of(mesh);
-  const std::size_t count = vertex_count(mesh);
   if (mesh.uvs.empty()) return {};
-  ExactSums sums(count);
-  for_ranges(mesh.triangles.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto& [a, b, c] = mesh.triangles[i];
-      const Double3 at = position(mesh, a), ab = position(mesh, b) - at,
-                    ac = position(mesh, c) - at;
-      const Double3 u = rising_u(ab, ac, mesh.uvs[a], mesh.uvs[b], mesh.uvs[c]);
-      const double length = std::sqrt(dot(u, u));
-      if (!(length > 0 && std::isfinite(length))) continue;
-      const CornerAngles corners = corner_angles(at, position(mesh, b), position(mesh, c), step);
-      for (std::size_t k = 0; k < 3; ++k)
-        sums.add(mesh.triangles[i][k], {u[0] / length, u[1] / length, u[2] / length},
-                 corners.angles[k]);
-    }
-  });
-  std::vector<Float3> tangents(count);
-  for_ranges(count, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      tangents[i] = along_surface(sums[i], mesh.normals.empty() ? Float3{} : mesh.normals[i]);
-  });
+  const double step = rounding_of(mesh);
+  std::vector<Float3> tangents = vertex_averages(
+      mesh, {},
+      [&](std::size_t i) -> CornerAngles {
+        const auto& [a, b, c] = mesh.triangles[i];
+        const Double3 at = position(mesh, a), ab = position(mesh, b) - at,
+                      ac = position(mesh, c) - at;
+        const Double3 u = rising_u(ab, ac, mesh.uvs[a], mesh.uvs[b], mesh.uvs[c]);
+        const double length = std::sqrt(dot(u, u));
+        if (!(length > 0 && std::isfinite(length))) return {};
+        return {.normal = {u[0] / length, u[1] / length, u[2] / length},
+                .angles = corner_angles(at, position(mesh, b), position(mesh, c), step).angles};
+      },
+      [&](std::size_t i, const Double3& sum) {
+        return along_surface(sum, mesh.normals.empty() ? Float3{} : mesh.normals[i]);
+      });
   const bool any = std::any_of(tangents.begin(), tangents.end(),
                                [](const Float3& tangent) { return tangent != Float3{}; });
   return any ? tangents : std::vector<Float3>();

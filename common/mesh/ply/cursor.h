@@ -1,10 +1,13 @@
 #pragma once
 
+#include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <string_view>
+#include <type_traits>
+#include <vector>
 
 #include "common/mesh/ply/header.h"
 #include "common/mesh/text.h"
@@ -23,7 +26,7 @@ T load(const char* at) {
 
 /// Calls `with` for a type with a value of it.
 template <typename With>
-auto for_type(Scalar type, const With& with) {
+[[gnu::always_inline]] inline auto for_type(Scalar type, const With& with) {
   switch (type) {
     case Scalar::i8:
       return with(std::int8_t{});
@@ -45,6 +48,14 @@ auto for_type(Scalar type, const With& with) {
   return with(double{});
 }
 
+/// A number as a whole one; nothing: it has a fraction, or is out of the range of any index.
+template <typename T>
+std::optional<std::int64_t> whole(T value) {
+  if constexpr (std::is_floating_point_v<T>)
+    if (!(value >= -1 && value <= T(1e15)) || std::trunc(value) != value) return std::nullopt;
+  return static_cast<std::int64_t>(value);
+}
+
 template <bool swap>
 class BinaryCursor {
  public:
@@ -53,14 +64,30 @@ class BinaryCursor {
   const char* place() const { return at_; }
   std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
 
-  std::optional<double> read_number(Scalar type) { return read<double>(type); }
+  std::optional<double> read_number(Scalar type) {
+    const char* const from = at_;
+    if (!skip(type, 1)) return std::nullopt;
+    return for_type(type, [&](auto value) -> double { return load<decltype(value), swap>(from); });
+  }
   std::optional<std::int64_t> read_integer(Scalar type) {
-    if (type != Scalar::f32 && type != Scalar::f64) return read<std::int64_t>(type);
-    const auto value = read<double>(type);
-    if (!value || !(*value >= -1 && *value <= 1e15)) return std::nullopt;
-    const auto whole = static_cast<std::int64_t>(*value);
-    if (static_cast<double>(whole) != *value) return std::nullopt;
-    return whole;
+    const char* const from = at_;
+    if (!skip(type, 1)) return std::nullopt;
+    return for_type(type, [&](auto value) { return whole(load<decltype(value), swap>(from)); });
+  }
+  /// So many whole numbers; false: one is none, or the bytes end.
+  bool read_integers(Scalar type, std::size_t count, std::vector<std::int64_t>& to) {
+    const char* const from = at_;
+    if (!skip(type, count)) return false;
+    to.resize(count);
+    return for_type(type, [&](auto of_type) {
+      using T = decltype(of_type);
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto value = whole(load<T, swap>(from + i * sizeof(T)));
+        if (!value) return false;
+        to[i] = *value;
+      }
+      return true;
+    });
   }
   /// Past so many values; false: there are not so many.
   bool skip(Scalar type, std::uint64_t count) {
@@ -70,15 +97,6 @@ class BinaryCursor {
   }
 
  private:
-  template <typename To>
-  std::optional<To> read(Scalar type) {
-    if (size_of(type) > left()) return std::nullopt;
-    const char* const from = at_;
-    at_ += size_of(type);
-    return for_type(type,
-                    [&](auto value) { return static_cast<To>(load<decltype(value), swap>(from)); });
-  }
-
   const char *at_, *end_;
 };
 
@@ -94,17 +112,23 @@ class TextCursor {
     at_ = place();
     return mesh_text::read_number(at_, end_);
   }
-  /// Some write whole numbers as 3.0, too.
   std::optional<std::int64_t> read_integer(Scalar) {
     at_ = place();
     if (const auto value = mesh_text::read_integer(at_, end_)) return value;
-    const char* after = at_;
-    const auto value = mesh_text::read_number(after, end_);
-    if (!value || !(*value >= -1 && *value <= 1e15)) return std::nullopt;
-    const auto whole = static_cast<std::int64_t>(*value);
-    if (static_cast<double>(whole) != *value) return std::nullopt;
-    at_ = after;
-    return whole;
+    const char* after = at_;  // Some write whole numbers as 3.0, too.
+    const auto number = mesh_text::read_number(after, end_);
+    const auto value = number ? whole(*number) : std::nullopt;
+    if (value) at_ = after;
+    return value;
+  }
+  bool read_integers(Scalar type, std::size_t count, std::vector<std::int64_t>& to) {
+    to.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto value = read_integer(type);
+      if (!value) return false;
+      to.push_back(*value);
+    }
+    return true;
   }
   bool skip(Scalar, std::uint64_t count) {
     for (; count > 0; --count) {

@@ -268,11 +268,10 @@ class Reader {
           at.skip(property.type, static_cast<std::uint64_t>(*count));  // Measured before.
           continue;
         }
-        corners.clear();
-        for (std::int64_t c = 0; c < *count; ++c)
-          if (auto wrong = read_corner(faces, at, i, strips, corners)) return wrong;
-        Triangle* const end = strips ? strip(corners, to) : splitter(corners, to);
-        if (end == to) ++skipped;
+        if (auto wrong = read_corners(property.type, static_cast<std::size_t>(*count), i, strips,
+                                      at, corners))
+          return wrong;
+        if ((strips ? strip(corners, to) : splitter(corners, to)) == to) ++skipped;
         to += *count < 3 ? 0 : *count - 2;
       }
     }
@@ -280,23 +279,26 @@ class Reader {
     return std::nullopt;
   }
 
-  std::optional<Problem> read_corner(const Extent<Cursor>& faces, Cursor& at, std::uint64_t row,
-                                     bool strips, std::vector<std::uint32_t>& corners) const {
+  std::optional<Problem> read_corners(Scalar type, std::size_t count, std::uint64_t row,
+                                      bool strips, Cursor& at,
+                                      std::vector<std::uint32_t>& corners) const {
+    thread_local std::vector<std::int64_t> indices;
     const Cursor before = at;
-    const auto index = at.read_integer(faces.element->properties[*faces.corners].type);
-    if (!index)
-      return problem_before(before,
+    if (!at.read_integers(type, count, indices))
+      return problem_before(at,
                             "face " + std::to_string(row) + " names no vertex by a whole number");
-    if (strips && *index == -1) {
-      corners.push_back(strip_end);
-      return std::nullopt;
-    }
     const std::uint64_t vertices = vertices_.blocks.empty() ? 0 : vertices_.element->count;
-    if (*index < 0 || static_cast<std::uint64_t>(*index) >= vertices)
-      return problem_before(before, "face " + std::to_string(row) + " names vertex " +
-                                        std::to_string(*index) + "; there are " +
-                                        std::to_string(vertices));
-    corners.push_back(static_cast<std::uint32_t>(*index));
+    corners.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      corners[i] = strips && indices[i] == -1 ? strip_end : static_cast<std::uint32_t>(indices[i]);
+      if (static_cast<std::uint64_t>(indices[i]) < vertices || (strips && indices[i] == -1))
+        continue;
+      Cursor there = before;
+      there.skip(type, i);
+      return problem_before(there, "face " + std::to_string(row) + " names vertex " +
+                                       std::to_string(indices[i]) + "; there are " +
+                                       std::to_string(vertices));
+    }
     return std::nullopt;
   }
 
