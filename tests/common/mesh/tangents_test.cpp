@@ -36,8 +36,8 @@ TEST(Tangents, AreNowhereWithoutUvsThatSpanAnArea) {
       with_tangents(vertices + "vt nan 0\nvt 1 0\nvt 2 2\nf 1/1 2/2 3/3\n").tangents.empty());
   EXPECT_TRUE(used(obj_of(vertices + "vt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\n")).tangents.empty())
       << "not asked for";
-  const TriangleMesh some =
-      with_tangents(vertices + "vt 0 0\nvt 1 0\nvt 1 1\nv 5 5 5\nv 6 5 5\nv 6 6 5\nf 1/1 2/2 3/3\nf 5 6 7\n");
+  const TriangleMesh some = with_tangents(
+      vertices + "vt 0 0\nvt 1 0\nvt 1 1\nv 5 5 5\nv 6 5 5\nv 6 6 5\nf 1/1 2/2 3/3\nf 5 6 7\n");
   ASSERT_EQ(some.tangents.size(), 6u);
   EXPECT_EQ(some.tangents[0], (Float3{1, 0, 0}));
   EXPECT_EQ(some.tangents[5], (Float3{0, 0, 0})) << "none there";
