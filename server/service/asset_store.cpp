@@ -98,7 +98,7 @@ Result<void> AssetStore::scan() {
             [](const Found& a, const Found& b) { return a.time < b.time; });
   for (const Found& asset : found) {
     const auto [digest, size] = digest_of_file(asset.path);
-    if (to_hex(digest) == asset.path.filename() && promise(size)) {
+    if (to_hex(digest) == asset.path.filename() && take(size, nullptr)) {
       insert(digest, size);
     } else {
       fs::remove(asset.path, error);
@@ -110,7 +110,7 @@ Result<void> AssetStore::scan() {
 void AssetStore::insert(const Digest& digest, std::uint64_t size) {
   assert(!assets_.contains(digest));
   const auto use = by_use_.insert(by_use_.end(), digest);
-  assets_.emplace(digest, Asset{size, 0, use, FileStamp::of(file(digest))});
+  assets_.emplace(digest, Asset{size, {}, use, FileStamp::of(file(digest))});
 }
 
 bool AssetStore::has(const Digest& digest) {
@@ -136,22 +136,32 @@ void AssetStore::mend(const Digest& digest) {
   asset.damaged = false;
 }
 
-bool AssetStore::hold(const Digest& digest) {
+bool AssetStore::hold(const Digest& digest, const AccountPtr& account) {
   if (!has(digest)) return false;
-  const auto found = assets_.find(digest);
-  ++found->second.holds;
-  by_use_.splice(by_use_.end(), by_use_, found->second.use);
+  Asset& asset = assets_.at(digest);
+  if (asset.holds.empty()) kept_ += asset.size;
+  if (++asset.holds[account] == 1 && account) account->asset_bytes += asset.size;
+  by_use_.splice(by_use_.end(), by_use_, asset.use);
   return true;
 }
 
-void AssetStore::release(const Digest& digest) {
-  const auto found = assets_.find(digest);
-  assert(found != assets_.end() && found->second.holds > 0);
-  --found->second.holds;
+void AssetStore::release(const Digest& digest, const AccountPtr& account) {
+  Asset& asset = assets_.at(digest);
+  const auto found = asset.holds.find(account);
+  assert(found != asset.holds.end());
+  if (--found->second > 0) return;
+  asset.holds.erase(found);
+  if (account) account->asset_bytes -= asset.size;
+  if (asset.holds.empty()) kept_ -= asset.size;
 }
 
-tl::expected<void, Refusal> AssetStore::promise(std::uint64_t size) {
-  // Choose what has to go before anything goes: a request that can't be met costs nothing.
+tl::expected<std::vector<Digest>, Refusal> AssetStore::victims(std::uint64_t size,
+                                                               const AccountPtr& account) const {
+  if (account && kept_ + size <= quota_ && !may_take(account->asset_bytes, size, quota_ - kept_)) {
+    return refuse(v1::Error::LIMIT, account->name + " has its share of the asset store: " +
+                                        std::to_string(account->asset_bytes) + " of its " +
+                                        std::to_string(quota_) + " bytes");
+  }
   std::vector<Digest> victims;
   std::uint64_t freed = 0;
   for (auto oldest = by_use_.begin(); bytes_ - freed + size > quota_; ++oldest) {
@@ -162,11 +172,18 @@ tl::expected<void, Refusal> AssetStore::promise(std::uint64_t size) {
                                           " in use; its quota is " + std::to_string(quota_));
     }
     const Asset& asset = assets_.at(*oldest);
-    if (asset.holds > 0) continue;
+    if (!asset.holds.empty()) continue;
     freed += asset.size;
     victims.push_back(*oldest);
   }
-  for (const Digest& victim : victims) evict(victim);
+  return victims;
+}
+
+tl::expected<void, Refusal> AssetStore::take(std::uint64_t size, const AccountPtr& account) {
+  // Choose what has to go before anything goes: a request that can't be met costs nothing.
+  const auto chosen = victims(size, account);
+  if (!chosen) return tl::unexpected(chosen.error());
+  for (const Digest& victim : *chosen) evict(victim);
   bytes_ += size;
   return {};
 }
@@ -182,13 +199,13 @@ void AssetStore::evict(const Digest& digest) {
 
 bool AssetHolds::add(const Digest& digest) {
   if (held_.contains(digest)) return store_->has(digest);
-  if (!store_->hold(digest)) return false;
+  if (!store_->hold(digest, account_)) return false;
   held_.insert(digest);
   return true;
 }
 
 void AssetHolds::clear() {
-  for (const Digest& digest : held_) store_->release(digest);
+  for (const Digest& digest : held_) store_->release(digest, account_);
   held_.clear();
 }
 

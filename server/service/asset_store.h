@@ -12,6 +12,7 @@
 
 #include "common/digest.h"
 #include "common/problem.h"
+#include "server/service/accounts.h"
 #include "server/service/refusal.h"
 
 namespace metamer::service {
@@ -48,7 +49,7 @@ class AssetStore : public std::enable_shared_from_this<AssetStore> {
   bool has(const Digest& digest);
   bool damaged(const Digest& digest) const;
   std::filesystem::path file(const Digest& digest) const { return folder_ / to_hex(digest); }
-  /// Held and promised bytes; never above the quota.
+  /// Of assets and of what has come of uploads; never above the quota.
   std::uint64_t bytes() const { return bytes_; }
   const std::filesystem::path& folder() const { return folder_; }
 
@@ -58,8 +59,8 @@ class AssetStore : public std::enable_shared_from_this<AssetStore> {
 
   struct Asset {
     std::uint64_t size = 0;
-    std::uint64_t holds = 0;
-    std::list<Digest>::iterator use;  // in by_use_
+    std::map<AccountPtr, std::uint64_t> holds;  // how many of each account
+    std::list<Digest>::iterator use;            // in by_use_
     FileStamp stamp;
     bool damaged = false;
   };
@@ -68,16 +69,20 @@ class AssetStore : public std::enable_shared_from_this<AssetStore> {
   Result<void> scan();
   void insert(const Digest& digest, std::uint64_t size);
   void mend(const Digest& digest);  // its file is there anew
-  bool hold(const Digest& digest);
-  void release(const Digest& digest);
-  /// Makes room for `size` bytes and counts them as used. Refused (LIMIT) when what is held leaves
-  /// too little.
-  tl::expected<void, Refusal> promise(std::uint64_t size);
+  bool hold(const Digest& digest, const AccountPtr& account);
+  void release(const Digest& digest, const AccountPtr& account);
+  /// What has to go so that `size` bytes fit. Refused (LIMIT) when what is held leaves too little,
+  /// or `account` would hold more than its share.
+  tl::expected<std::vector<Digest>, Refusal> victims(std::uint64_t size,
+                                                     const AccountPtr& account) const;
+  /// Makes room for `size` bytes and counts them as used.
+  tl::expected<void, Refusal> take(std::uint64_t size, const AccountPtr& account);
   void evict(const Digest& digest);
 
   std::filesystem::path folder_;
   std::uint64_t quota_ = 0;
   std::uint64_t bytes_ = 0;
+  std::uint64_t kept_ = 0;     // of them, what is held or on its way
   std::uint64_t uploads_ = 0;  // so far; names their files
   std::map<Digest, Asset> assets_;
   std::list<Digest> by_use_;  // the one unused for longest first
@@ -86,10 +91,12 @@ class AssetStore : public std::enable_shared_from_this<AssetStore> {
 /// The assets that a job or a session needs: they stay in the store as long as this lives.
 class AssetHolds {
  public:
-  explicit AssetHolds(AssetStore& store) : store_(store.shared_from_this()) {}
+  /// They count as the account's.
+  explicit AssetHolds(AssetStore& store, AccountPtr account = {})
+      : store_(store.shared_from_this()), account_(std::move(account)) {}
   ~AssetHolds() { clear(); }
   AssetHolds(AssetHolds&& other) noexcept
-      : store_(other.store_), held_(std::exchange(other.held_, {})) {}
+      : store_(other.store_), account_(other.account_), held_(std::exchange(other.held_, {})) {}
   AssetHolds& operator=(AssetHolds&&) = delete;
 
   /// False when the store has no such asset, or a damaged one.
@@ -103,6 +110,7 @@ class AssetHolds {
 
  private:
   std::shared_ptr<AssetStore> store_;
+  AccountPtr account_;
   std::set<Digest> held_;
 };
 
@@ -110,9 +118,10 @@ class AssetHolds {
 /// unless the last piece completes the digest.
 class AssetUpload {
  public:
-  /// Refused: LIMIT for a size above limits::max_asset or no room; INTERNAL when the disk fails.
-  static tl::expected<AssetUpload, Refusal> begin(AssetStore& store, const Digest& digest,
-                                                  std::uint64_t size);
+  /// Takes room only as bytes come. Refused: LIMIT for a size above limits::max_asset, no room, or
+  /// more than the account's share; INTERNAL when the disk fails.
+  static tl::expected<AssetUpload, Refusal> begin(AssetStore& store, AccountPtr account,
+                                                  const Digest& digest, std::uint64_t size);
   ~AssetUpload();
   AssetUpload(AssetUpload&& other) noexcept;
   AssetUpload& operator=(AssetUpload&&) = delete;
@@ -122,15 +131,18 @@ class AssetUpload {
   bool complete() const { return received_ == size_; }
 
   /// Refused: ORDER when `offset` is not where the last piece ended or the piece goes beyond the
-  /// size; INTERNAL when the disk fails. The upload is of no use then.
+  /// size; LIMIT when others have taken the room; INTERNAL when the disk fails. The upload is of no
+  /// use then.
   tl::expected<void, Refusal> add(std::uint64_t offset, std::string_view data);
   /// Once complete: puts the asset into the store. Refused: DIGEST.
   tl::expected<void, Refusal> commit();
 
  private:
-  AssetUpload(AssetStore& store, const Digest& digest, std::uint64_t size);
+  AssetUpload(AssetStore& store, AccountPtr account, const Digest& digest, std::uint64_t size);
+  void give_back();
 
   std::shared_ptr<AssetStore> store_;
+  AccountPtr account_;
   Digest digest_;
   std::uint64_t size_ = 0;
   std::uint64_t received_ = 0;

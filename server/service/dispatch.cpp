@@ -181,7 +181,7 @@ tl::expected<void, Refusal> Dispatch::take_chunk(const Digest& digest,
       return refuse(v1::Error::LIMIT,
                     "a client may hold " + std::to_string(max_held_assets) + " assets");
     }
-    auto upload = AssetUpload::begin(context_.store, digest, chunk.size());
+    auto upload = AssetUpload::begin(context_.store, account_, digest, chunk.size());
     if (!upload) return tl::unexpected(upload.error());
     upload_.emplace(*std::move(upload));
   }
@@ -203,7 +203,7 @@ tl::expected<AssetHolds, Refusal> Dispatch::hold(const std::string& scene, const
   }
   if (!v1::Backend_IsValid(backend))
     return refuse(v1::Error::LIMIT, "there is no backend of number " + std::to_string(backend));
-  AssetHolds holds(context_.store);
+  AssetHolds holds(context_.store, account_);
   const auto add = [&](const std::string& bytes,
                        const std::string& name) -> tl::expected<void, Refusal> {
     const auto digest = to_digest(bytes);
@@ -228,7 +228,7 @@ Dispatch::Answer Dispatch::submit(v1::Submit submit) {
   }
   auto assets = hold(submit.scene_sha256(), submit.asset(), submit.backend());
   if (!assets) return tl::unexpected(assets.error());
-  auto job = context_.queue.submit(std::move(submit), *std::move(assets));
+  auto job = context_.queue.submit(std::move(submit), *std::move(assets), account_);
   if (!job) return tl::unexpected(job.error());
   context_.worker_of(**job).work();
   v1::Envelope envelope;
@@ -256,6 +256,8 @@ Dispatch::Answer Dispatch::list() {
 Dispatch::Answer Dispatch::order(Order order, std::uint64_t job_id) {
   const auto job = context_.queue.find(job_id);
   if (!job) return no_such_job(job_id);
+  if (!account_->owns_server && job->owner() != account_)
+    return refuse(v1::Error::NOT_FOUND, "job " + std::to_string(job_id) + " is another client's");
   const auto carry_out = [&]() -> tl::expected<void, Refusal> {
     switch (order) {
       case Order::cancel:
@@ -282,7 +284,8 @@ Dispatch::Answer Dispatch::open_view(std::uint64_t request_id, v1::OpenView open
                                         " views open at a time");
   auto assets = hold(open.scene_sha256(), open.asset(), open.backend());
   if (!assets) return tl::unexpected(assets.error());
-  const auto view = context_.views.open(std::move(open), *std::move(assets), views_.wake());
+  const auto view =
+      context_.views.open(std::move(open), *std::move(assets), views_.wake(), account_);
   if (!view) return tl::unexpected(view.error());
   views_.add(request_id, *view);
   context_.worker_of((*view)->backend()).open(**view);

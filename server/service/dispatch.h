@@ -6,8 +6,10 @@
 #include <optional>
 
 #include "metamer/v1/envelope.pb.h"
+#include "server/service/accounts.h"
 #include "server/service/asset_store.h"
 #include "server/service/job_queue.h"
+#include "server/service/limits.h"
 #include "server/service/refusal.h"
 #include "server/service/supervisor.h"
 #include "server/service/view_streams.h"
@@ -23,6 +25,8 @@ struct ServiceContext {
   Supervisor& cpu;
   Supervisor& gl;
   std::function<std::uint32_t()> sessions;  ///< How many there are.
+  Patience patience;
+  Accounts accounts{};
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
 
   Supervisor& worker_of(v1::Backend backend) const { return backend == v1::GL ? gl : cpu; }
@@ -32,12 +36,19 @@ struct ServiceContext {
 /// Answers one client's requests. Knows no sockets.
 class Dispatch {
  public:
-  Dispatch(ServiceContext& context, Watches& watches, ViewStreams& views)
-      : context_(context), watches_(watches), views_(views), holds_(context.store) {}
+  Dispatch(ServiceContext& context, AccountPtr account, Watches& watches, ViewStreams& views)
+      : context_(context),
+        account_(std::move(account)),
+        watches_(watches),
+        views_(views),
+        holds_(context.store, account_) {}
 
   /// The answer to a request; nothing when it is answered by events alone, or not yet complete.
   std::optional<v1::Envelope> answer(v1::Envelope request);
   bool greeted() const { return greeted_; }
+  bool uploading() const { return upload_.has_value(); }
+  /// The upload has to begin anew.
+  void drop_upload() { upload_.reset(); }
 
  private:
   using Answer = tl::expected<std::optional<v1::Envelope>, Refusal>;
@@ -61,6 +72,7 @@ class Dispatch {
   Answer tell_view(const Request& request);
 
   ServiceContext& context_;
+  AccountPtr account_;
   Watches& watches_;
   ViewStreams& views_;
   bool greeted_ = false;

@@ -19,8 +19,9 @@ double between(Job::Clock::time_point from, Job::Clock::time_point to) {
 
 }  // namespace
 
-Job::Job(std::uint64_t id, v1::Submit submit, AssetHolds assets, std::uint32_t ahead)
-    : id_(id), submit_(std::move(submit)), assets_(std::move(assets)) {
+Job::Job(std::uint64_t id, v1::Submit submit, AssetHolds assets, std::uint32_t ahead,
+         AccountPtr owner)
+    : id_(id), submit_(std::move(submit)), assets_(std::move(assets)), owner_(std::move(owner)) {
   append(queued_event(ahead));
 }
 
@@ -164,6 +165,15 @@ bool Job::cancel() {
   event.mutable_cancelled();
   append_last(std::move(event));
   return true;
+}
+
+void Job::drop_picture() {
+  assert(ended());
+  film_ = Film();
+  factors_ = {};
+  factor_bytes_ = 0;
+  picture_dropped_ = true;
+  wake();
 }
 
 Result<void> Job::plan(const v1::Plan& plan) {

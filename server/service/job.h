@@ -29,13 +29,15 @@ class Job {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// The queue holds `ahead` jobs that come first.
-  Job(std::uint64_t id, v1::Submit submit, AssetHolds assets, std::uint32_t ahead);
+  /// The queue holds `ahead` jobs that come first. No owner: nobody in particular.
+  Job(std::uint64_t id, v1::Submit submit, AssetHolds assets, std::uint32_t ahead,
+      AccountPtr owner = {});
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
 
   std::uint64_t id() const { return id_; }
   const v1::Submit& submit() const { return submit_; }
+  const AccountPtr& owner() const { return owner_; }
   v1::JobState state() const { return state_; }
   bool ended() const { return is_end(state_); }
   bool planned() const { return planned_; }
@@ -65,6 +67,10 @@ class Job {
   bool fail(v1::Failed::Kind kind, std::string reason);
   /// Drops what was rendered.
   bool cancel();
+
+  /// Gives the memory of an ended job's picture back. Its tiles can't be read any more.
+  void drop_picture();
+  bool picture_dropped() const { return picture_dropped_; }
 
   /// Takes the plan of a running job and makes the film. Errors, with the state as it was: numbers
   /// beyond the limits, another picture than the plan of an earlier attempt had.
@@ -124,6 +130,7 @@ class Job {
   std::uint64_t id_;
   v1::Submit submit_;
   AssetHolds assets_;
+  AccountPtr owner_;
   v1::JobState state_ = v1::QUEUED;
   EventLog log_;
   std::list<std::function<void()>> wakes_;  // of the watchers
@@ -145,6 +152,7 @@ class Job {
   std::string scene_factors_;
   std::vector<std::string> factors_;  // by tile, where the job keeps them
   std::uint64_t factor_bytes_ = 0;
+  bool picture_dropped_ = false;
   std::uint32_t tiles_done_ = 0;
   std::uint32_t attempt_tiles_ = 0;  // of them, since the last start
   std::uint64_t rays_ = 0;

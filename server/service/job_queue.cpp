@@ -22,13 +22,22 @@ std::uint64_t clock_job_id(std::chrono::system_clock::time_point now) {
   return static_cast<std::uint64_t>(since_1970.count()) % (std::uint64_t{1} << 52) + 1;
 }
 
-tl::expected<JobQueue::JobPtr, Refusal> JobQueue::submit(v1::Submit submit, AssetHolds assets) {
-  if (jobs_.size() - ended_.size() >= max_live_jobs) {
+tl::expected<JobQueue::JobPtr, Refusal> JobQueue::submit(v1::Submit submit, AssetHolds assets,
+                                                         AccountPtr owner) {
+  const std::size_t live = jobs_.size() - ended_.size();
+  if (live >= max_live_jobs) {
     return refuse(v1::Error::LIMIT,
                   "the queue is full: " + std::to_string(max_live_jobs) + " jobs have not ended");
   }
-  auto job =
-      std::make_shared<Job>(next_id_++, std::move(submit), std::move(assets), queued() + running());
+  const auto own = std::count_if(jobs_.begin(), jobs_.end(), [&](const auto& job) {
+    return !job.second->ended() && job.second->owner() == owner;
+  });
+  if (owner && !may_take(static_cast<std::uint64_t>(own), 1, max_live_jobs - live)) {
+    return refuse(v1::Error::LIMIT, owner->name + " has its share of the queue: " +
+                                        std::to_string(own) + " of its jobs have not ended");
+  }
+  auto job = std::make_shared<Job>(next_id_++, std::move(submit), std::move(assets),
+                                   queued() + running(), std::move(owner));
   jobs_.emplace(job->id(), job);
   line_.push_back(job);
   return job;
@@ -40,32 +49,47 @@ JobQueue::JobPtr JobQueue::find(std::uint64_t id) const {
 }
 
 JobQueue::JobPtr JobQueue::next(v1::Backend backend) {
-  const auto found = std::find_if(line_.begin(), line_.end(), [&](const JobPtr& job) {
-    return job->submit().backend() == backend;
-  });
-  if (found == line_.end()) return nullptr;
-  JobPtr job = *found;
-  line_.erase(found);
+  const auto fits = [&](const JobPtr& job) { return job->submit().backend() == backend; };
+  const auto last_turn = [](const JobPtr& job) {
+    return job->owner() ? job->owner()->last_turn : 0;
+  };
+  if (const auto found = std::find_if(retried_.begin(), retried_.end(), fits);
+      found != retried_.end()) {
+    JobPtr job = *found;
+    retried_.erase(found);
+    return job;
+  }
+  // The one whose owner has waited for longest; of one owner the first.
+  auto best = line_.end();
+  for (auto it = line_.begin(); it != line_.end(); ++it)
+    if (fits(*it) && (best == line_.end() || last_turn(*it) < last_turn(*best))) best = it;
+  if (best == line_.end()) return nullptr;
+  JobPtr job = *best;
+  line_.erase(best);
+  if (job->owner()) job->owner()->last_turn = ++turn_;
   return job;
 }
 
 bool JobQueue::has_work(v1::Backend backend) const {
-  return std::any_of(line_.begin(), line_.end(),
-                     [&](const JobPtr& job) { return job->submit().backend() == backend; });
+  const auto fits = [&](const JobPtr& job) { return job->submit().backend() == backend; };
+  return std::any_of(retried_.begin(), retried_.end(), fits) ||
+         std::any_of(line_.begin(), line_.end(), fits);
 }
 
 void JobQueue::hold(v1::Backend backend, const std::string& reason) {
-  for (const JobPtr& job : line_)
-    if (job->submit().backend() == backend) job->hold(reason);
+  for (const auto* line : {&retried_, &line_})
+    for (const JobPtr& job : *line)
+      if (job->submit().backend() == backend) job->hold(reason);
 }
 
 void JobQueue::put_first(JobPtr job) {
   assert(job->state() == v1::QUEUED);
-  line_.push_front(std::move(job));
+  retried_.push_front(std::move(job));
 }
 
 void JobQueue::leave_line(const Job& job) {
-  std::erase_if(line_, [&](const JobPtr& queued) { return queued.get() == &job; });
+  for (auto* line : {&retried_, &line_})
+    std::erase_if(*line, [&](const JobPtr& queued) { return queued.get() == &job; });
 }
 
 tl::expected<void, Refusal> JobQueue::cancel(Job& job) {
@@ -99,8 +123,23 @@ void JobQueue::ended(Job& job) {
   while (ended_.size() > 1 && (ended_.size() > max_ended_jobs || ended_bytes_ > keep_bytes_)) {
     const auto oldest = jobs_.find(ended_.front());
     ended_bytes_ -= oldest->second->picture_bytes();
-    jobs_.erase(oldest);
+    drop(oldest);
     ended_.pop_front();
+  }
+}
+
+void JobQueue::drop(std::map<std::uint64_t, JobPtr>::iterator job) {
+  dropped_.push_back(job->second);
+  jobs_.erase(job);
+  std::erase_if(dropped_, [](const auto& known) { return known.expired(); });
+  std::uint64_t bytes = 0;
+  for (const auto& known : dropped_)
+    if (const JobPtr watched = known.lock()) bytes += watched->picture_bytes();
+  for (auto oldest = dropped_.begin(); bytes > keep_bytes_; ++oldest) {
+    const JobPtr watched = oldest->lock();
+    if (!watched) continue;
+    bytes -= watched->picture_bytes();
+    watched->drop_picture();
   }
 }
 

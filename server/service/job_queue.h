@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <vector>
 
 #include "server/service/job.h"
 #include "server/service/refusal.h"
@@ -19,8 +20,9 @@ namespace metamer::service {
 /// integers up to 2^53.
 std::uint64_t clock_job_id(std::chrono::system_clock::time_point now);
 
-/// All jobs, and the order in which the queued ones run: first come, first served. Ended jobs stay
-/// until their number or the bytes of their films are over the bounds, oldest ended first.
+/// All jobs, and the order in which the queued ones run: their owners have turns, and each one's
+/// jobs are served as they came. Ended jobs stay until their number or the bytes of their films are
+/// over the bounds, oldest ended first.
 class JobQueue {
  public:
   using JobPtr = std::shared_ptr<Job>;
@@ -29,8 +31,9 @@ class JobQueue {
   JobQueue(std::uint64_t keep_bytes, std::uint64_t first_id)
       : keep_bytes_(keep_bytes), next_id_(first_id) {}
 
-  /// Queues a job. Refused (LIMIT) while max_live_jobs have not ended.
-  tl::expected<JobPtr, Refusal> submit(v1::Submit submit, AssetHolds assets);
+  /// Queues a job. Refused (LIMIT) while max_live_jobs have not ended, or the owner's share of
+  /// them.
+  tl::expected<JobPtr, Refusal> submit(v1::Submit submit, AssetHolds assets, AccountPtr owner = {});
   /// Null when there is none of that number (any more).
   JobPtr find(std::uint64_t id) const;
 
@@ -43,26 +46,33 @@ class JobQueue {
   tl::expected<void, Refusal> cancel(Job& job);
   tl::expected<void, Refusal> pause(Job& job);
   tl::expected<void, Refusal> resume(const JobPtr& job);
-  /// Says that `job` has ended, and drops what is too much.
+  /// Says that `job` has ended, and drops what is too much. A dropped job that is still watched
+  /// keeps its picture while those of its kind take no more than the bytes to keep either.
   void ended(Job& job);
 
   /// Tells whoever asks what a backend's queued jobs wait for.
   void hold(v1::Backend backend, const std::string& reason);
 
   bool has_work(v1::Backend backend) const;
-  std::uint32_t queued() const { return static_cast<std::uint32_t>(line_.size()); }
+  std::uint32_t queued() const {
+    return static_cast<std::uint32_t>(retried_.size() + line_.size());
+  }
   std::uint32_t running() const;
   v1::JobList list() const;
 
  private:
   void leave_line(const Job& job);
+  void drop(std::map<std::uint64_t, JobPtr>::iterator job);
   std::uint64_t paused_bytes() const;
 
   std::uint64_t keep_bytes_;
   std::uint64_t next_id_;
   std::map<std::uint64_t, JobPtr> jobs_;
+  std::deque<JobPtr> retried_;  // come before all others
   std::deque<JobPtr> line_;
-  std::deque<std::uint64_t> ended_;  // oldest ended first
+  std::uint64_t turn_ = 0;                   // of owners, so far
+  std::vector<std::weak_ptr<Job>> dropped_;  // and perhaps watched still, oldest first
+  std::deque<std::uint64_t> ended_;          // oldest ended first
   std::uint64_t ended_bytes_ = 0;
 };
 

@@ -29,8 +29,9 @@ inline constexpr std::size_t max_views = 16;
 inline constexpr unsigned max_frame_credits = 2;
 /// Assets that one session keeps from eviction: 64 full jobs, 2 MiB of digests.
 inline constexpr std::size_t max_held_assets = 65536;
-/// Answers that wait for a slow client; then its requests wait too.
+/// Answers that wait for a slow client, and their bytes; then its requests wait too.
 inline constexpr std::size_t max_unsent_answers = 64;
+inline constexpr std::size_t max_unsent_bytes = wire::max_control_frame;
 /// A connection that says nothing is not kept.
 inline constexpr std::chrono::seconds hello_timeout{10};
 /// After its last answer a session waits this long for the peer to read it and close.
@@ -44,6 +45,14 @@ inline constexpr std::uint64_t max_job_factors = std::uint64_t{4} << 30;
 /// Tiles in one RenderTiles: 14 bytes each at most, 3.5 MB, which a frame holds. Only pictures near
 /// the largest need a second batch.
 inline constexpr std::size_t tiles_per_batch = 250'000;
+
+/// How long a client may do nothing with what it keeps from others.
+struct Patience {
+  /// A session that says, reads and watches nothing; closed once its place is wanted.
+  std::chrono::milliseconds idle_session{60'000};
+  /// Between two chunks of an upload, which may be 4 MiB over a slow line.
+  std::chrono::milliseconds upload{120'000};
+};
 
 inline v1::Limits limits_message() {
   v1::Limits message;

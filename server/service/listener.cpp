@@ -55,19 +55,49 @@ asio::awaitable<void> Listener::accept(wire::Acceptor& acceptor, ServiceContext&
   }
 }
 
-void Listener::admit(wire::Socket socket, ServiceContext& context) {
+/// Whether a further session leaves enough for others.
+bool Listener::has_room(const AccountPtr& account) const {
+  std::size_t open = 0;
+  std::size_t own = 0;
+  for (const auto& session : sessions_) {
+    open += session->is_open();
+    own += session->is_open() && session->account() == account;
+  }
+  return open < max_sessions && may_take(own, 1, max_sessions - open);
+}
+
+/// Ends the session that was idle for longest: one of the same peer, or with a full table of any.
+bool Listener::make_room(const AccountPtr& account, std::chrono::milliseconds patience) {
   const bool full = sessions_.size() >= max_sessions;
+  auto oldest = Session::Clock::now() - patience;
+  std::shared_ptr<Session> idle;
+  for (const auto& session : sessions_) {
+    const auto since = session->idle_since();
+    if (!since || *since > oldest || (!full && session->account() != account)) continue;
+    oldest = *since;
+    idle = session;
+  }
+  if (!idle) return false;
+  spdlog::info("an idle session of {} makes room", idle->account()->name);
+  idle->close();
+  return true;
+}
+
+void Listener::admit(wire::Socket socket, ServiceContext& context) {
+  const AccountPtr account = context.accounts.of(wire::peer_of(socket));
+  const bool welcome = has_room(account) || make_room(account, context.patience.idle_session);
   // Even those who are told so are counted: further connections are closed without a word.
-  if (full && turned_away_.size() >= max_sessions) return;
-  auto& list = full ? turned_away_ : sessions_;
+  if (!welcome && turned_away_.size() >= max_sessions) return;
+  auto& list = welcome ? sessions_ : turned_away_;
   const auto remove = [&list](const Session& gone) {
     std::erase_if(list, [&](const auto& session) { return session.get() == &gone; });
   };
-  list.push_back(std::make_shared<Session>(std::move(socket), context, remove));
-  if (!full) return list.back()->start();
+  list.push_back(std::make_shared<Session>(std::move(socket), context, account, remove));
+  if (welcome) return list.back()->start();
   list.back()->turn_away(
       {v1::Error::LIMIT,
-       fmt::format("the server has its {} sessions; try again later", max_sessions)});
+       fmt::format("{} has its share of the server's {} sessions; try again later", account->name,
+                   max_sessions)});
 }
 
 }  // namespace metamer::service

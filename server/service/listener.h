@@ -30,6 +30,8 @@ class Listener {
  private:
   asio::awaitable<void> accept(wire::Acceptor& acceptor, ServiceContext& context);
   void admit(wire::Socket socket, ServiceContext& context);
+  bool has_room(const AccountPtr& account) const;
+  bool make_room(const AccountPtr& account, std::chrono::milliseconds patience);
 
   asio::any_io_executor executor_;
   std::list<wire::Acceptor> acceptors_;

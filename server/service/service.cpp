@@ -32,7 +32,8 @@ Result<void> Service::start() {
   if (!store) return tl::unexpected(store.error());
   store_ = *std::move(store);
   service_context_ = std::make_unique<ServiceContext>(
-      ServiceContext{*store_, queue_, views_, cpu_, gl_, [this] { return listener_.sessions(); }});
+      ServiceContext{*store_, queue_, views_, cpu_, gl_, [this] { return listener_.sessions(); },
+                     options_.patience});
   for (const wire::Endpoint& endpoint : options_.listen) {
     if (auto opened = listener_.open(endpoint); !opened) return opened;
   }

@@ -19,6 +19,7 @@ struct ServiceOptions {
   std::uint64_t store_bytes = 8ull << 30;
   std::uint64_t keep_bytes = 1ull << 30;  ///< Of films of ended jobs, and of paused ones.
   std::uint64_t first_job_id = clock_job_id(std::chrono::system_clock::now());
+  Patience patience;
   Supervisor::Options worker;  ///< Of both backends; its store and backend are filled in.
 };
 

@@ -19,13 +19,14 @@ v1::Envelope error_envelope(v1::Error::Code code, const std::string& message) {
 
 }  // namespace
 
-Session::Session(wire::Socket socket, ServiceContext& context, Gone gone)
+Session::Session(wire::Socket socket, ServiceContext& context, AccountPtr account, Gone gone)
     : channel_(std::move(socket), wire::Peer::client),
       context_(context),
+      account_(std::move(account)),
       gone_(std::move(gone)),
       watches_([this] { sendable_.cancel(); }),
       views_([this] { sendable_.cancel(); }, [this](View& view) { close_view(view); }),
-      dispatch_(context, watches_, views_),
+      dispatch_(context, account_, watches_, views_),
       sendable_(channel_.executor(), never),
       room_(channel_.executor(), never),
       timeout_(channel_.executor(), never) {}
@@ -89,14 +90,32 @@ asio::awaitable<void> Session::read_requests() {
       co_await context_.gl.wait_for_capabilities();
     }
     handle(std::move(request));
-    while (answers_.size() >= max_unsent_answers && channel_.is_open()) {
+    while ((answers_.size() >= max_unsent_answers || unsent_bytes_ >= max_unsent_bytes) &&
+           channel_.is_open()) {
       co_await room_.async_wait(asio::as_tuple(asio::use_awaitable));
     }
   }
   if (!ending_) close();
 }
 
+std::optional<Session::Clock::time_point> Session::idle_since() const {
+  const bool waits = watches_.size() > 0 || views_.size() > 0;
+  if (!channel_.is_open() || (waits && !writing_)) return std::nullopt;
+  return last_progress_;
+}
+
+/// The next chunk has its time, or what came so far gives its room back.
+void Session::limit_upload() {
+  timeout_.expires_after(context_.patience.upload);
+  timeout_.async_wait([self = weak_from_this()](boost::system::error_code cancelled) {
+    const auto session = self.lock();
+    if (session && !cancelled) session->dispatch_.drop_upload();
+  });
+}
+
 void Session::handle(v1::Envelope request) {
+  last_progress_ = Clock::now();
+  const bool is_chunk = request.has_asset_chunk();
   const std::uint64_t id = request.request_id();
   std::optional<v1::Envelope> answer;
   try {
@@ -106,6 +125,7 @@ void Session::handle(v1::Envelope request) {
     answer = error_envelope(v1::Error::INTERNAL, exception.what());
     answer->set_request_id(id);
   }
+  if (is_chunk && dispatch_.uploading()) limit_upload();
   // A watch is answered by its events.
   if (!answer) return sendable_.cancel(), void();
   ending_ = answer->has_error() && answer->error().code() == v1::Error::VERSION;
@@ -113,6 +133,7 @@ void Session::handle(v1::Envelope request) {
 }
 
 void Session::send(v1::Envelope answer) {
+  unsent_bytes_ += answer.ByteSizeLong();
   answers_.push_back(std::move(answer));
   sendable_.cancel();
 }
@@ -121,6 +142,7 @@ std::optional<v1::Envelope> Session::next_to_send() {
   if (!answers_.empty()) {
     std::optional<v1::Envelope> answer = std::move(answers_.front());
     answers_.pop_front();
+    unsent_bytes_ -= answer->ByteSizeLong();
     room_.cancel();
     return answer;
   }
@@ -140,7 +162,10 @@ asio::awaitable<void> Session::write_answers() {
   while (channel_.is_open()) {
     const auto message = next_to_send();
     if (message) {
+      writing_ = true;
       const auto sent = co_await channel_.write(*message);
+      writing_ = false;
+      last_progress_ = Clock::now();
       if (!sent) co_return close();
     } else if (ending_) {
       break;

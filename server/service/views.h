@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "server/service/accounts.h"
 #include "server/service/view.h"
 
 namespace metamer::service {
@@ -14,9 +15,9 @@ using ViewPtr = std::shared_ptr<View>;
 /// since it wakes that: here one that is gone is no longer found.
 class Views {
  public:
-  /// Refused (LIMIT): as many are open as there may be.
+  /// Refused (LIMIT): as many are open as there may be, in all or of one owner.
   tl::expected<ViewPtr, Refusal> open(v1::OpenView open, AssetHolds assets,
-                                      std::function<void()> wake);
+                                      std::function<void()> wake, const AccountPtr& owner);
 
   std::vector<ViewPtr> of(v1::Backend backend) const;
   /// Gives the view that a worker speaks of; null: it is closed, and the worker has not heard.
@@ -26,7 +27,11 @@ class Views {
 
  private:
   std::uint64_t last_id_ = 0;
-  std::map<std::uint64_t, std::weak_ptr<View>> views_;
+  struct Known {
+    std::weak_ptr<View> view;
+    AccountPtr owner;
+  };
+  std::map<std::uint64_t, Known> views_;
 };
 
 }  // namespace metamer::service

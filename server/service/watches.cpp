@@ -25,6 +25,13 @@ std::optional<v1::Envelope> Watches::next() {
 
     v1::Envelope envelope;
     envelope.set_request_id(watch.request_id);
+    if (!entry->event && job.picture_dropped()) {
+      envelope.mutable_error()->set_code(v1::Error::LIMIT);
+      envelope.mutable_error()->set_message("the picture of job " + std::to_string(job.id()) +
+                                            " was dropped before it was read");
+      watches_.erase(watches_.begin() + static_cast<std::ptrdiff_t>(turn_));
+      return envelope;
+    }
     *envelope.mutable_job_event() = job.event(*entry, watch.factors);
     watch.from = entry->sequence + 1;
     if (log.ended() && entry->sequence == log.last_sequence()) {

@@ -23,7 +23,7 @@ class Watches {
   void clear() { watches_.clear(); }
 
   /// The next event of one of the watches, in turns; nothing when none has one. A watch ends with
-  /// its job's last event.
+  /// its job's last event, or with Error LIMIT where its next tile is no longer kept.
   std::optional<v1::Envelope> next();
 
  private:

@@ -23,7 +23,7 @@ class AssetStoreTest : public testing::Test {
     return count;
   }
   tl::expected<void, Refusal> put(const std::string& bytes) {
-    auto upload = AssetUpload::begin(*store_, sha256(bytes), bytes.size());
+    auto upload = AssetUpload::begin(*store_, {}, sha256(bytes), bytes.size());
     if (!upload) return tl::unexpected(upload.error());
     if (auto added = upload->add(0, bytes); !added) return added;
     return upload->commit();
@@ -41,7 +41,7 @@ TEST_F(AssetStoreTest, PiecesInOrderBecomeAFileNamedByItsDigest) {
   open(1000);
   const std::string bytes = "one two three";
   const Digest digest = sha256(bytes);
-  auto upload = AssetUpload::begin(*store_, digest, bytes.size()).value();
+  auto upload = AssetUpload::begin(*store_, {}, digest, bytes.size()).value();
   ASSERT_TRUE(upload.add(0, bytes.substr(0, 4)));
   EXPECT_FALSE(upload.complete());
   EXPECT_FALSE(store_->has(digest));
@@ -63,7 +63,7 @@ TEST_F(AssetStoreTest, AnEmptyAssetIsAnAssetToo) {
 TEST_F(AssetStoreTest, WrongBytesAreRefusedAndLeaveNothing) {
   open(1000);
   {
-    auto upload = AssetUpload::begin(*store_, sha256("right"), 5).value();
+    auto upload = AssetUpload::begin(*store_, {}, sha256("right"), 5).value();
     ASSERT_TRUE(upload.add(0, "wrong"));
     const auto refused = upload.commit();
     ASSERT_FALSE(refused);
@@ -77,7 +77,7 @@ TEST_F(AssetStoreTest, WrongBytesAreRefusedAndLeaveNothing) {
 
 TEST_F(AssetStoreTest, PiecesOutOfOrderAreRefused) {
   open(1000);
-  auto upload = AssetUpload::begin(*store_, sha256("abcdef"), 6).value();
+  auto upload = AssetUpload::begin(*store_, {}, sha256("abcdef"), 6).value();
   ASSERT_TRUE(upload.add(0, "ab"));
   EXPECT_EQ(upload.add(0, "ab").error().message, "a chunk at offset 0 came where offset 2 was due");
   EXPECT_EQ(upload.add(4, "ef").error().message, "a chunk at offset 4 came where offset 2 was due");
@@ -87,7 +87,7 @@ TEST_F(AssetStoreTest, PiecesOutOfOrderAreRefused) {
 
 TEST_F(AssetStoreTest, SizesBeyondTheLimitAreRefusedBeforeTheyCome) {
   open(~0ull >> 1);
-  const auto refused = AssetUpload::begin(*store_, sha256("x"), limits::max_asset + 1);
+  const auto refused = AssetUpload::begin(*store_, {}, sha256("x"), limits::max_asset + 1);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, v1::Error::LIMIT);
   EXPECT_EQ(refused.error().message,
@@ -122,21 +122,55 @@ TEST_F(AssetStoreTest, WhatIsHeldStaysAndAFullStoreSaysSo) {
   EXPECT_FALSE(store_->has(sha256(text('a', 60))));
 }
 
-TEST_F(AssetStoreTest, AnUploadCountsFromItsFirstPiece) {
+TEST_F(AssetStoreTest, AnUploadTakesRoomAsItsBytesCome) {
   open(100);
-  auto upload = AssetUpload::begin(*store_, sha256("x"), 80).value();
-  EXPECT_FALSE(put(text('b', 40)));
-  { auto gone = std::move(upload); }
+  auto upload = AssetUpload::begin(*store_, {}, sha256("x"), 80).value();
   EXPECT_EQ(store_->bytes(), 0u);
-  EXPECT_EQ(files(), 0u);
-  EXPECT_TRUE(put(text('b', 40)));
+  ASSERT_TRUE(upload.add(0, text('x', 30)));
+  EXPECT_EQ(store_->bytes(), 30u);
+  ASSERT_TRUE(put(text('b', 40)));
+  AssetHolds holds(*store_);
+  ASSERT_TRUE(holds.add(sha256(text('b', 40))));
+  const auto refused = upload.add(30, text('x', 50));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, v1::Error::LIMIT);
+  { auto gone = std::move(upload); }
+  EXPECT_EQ(store_->bytes(), 40u);
+  EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(AssetStoreTest, OneAccountLeavesRoomForTheNext) {
+  open(800);
+  const auto greedy = std::make_shared<Account>(Account{.name = "uid 1000"});
+  const auto other = std::make_shared<Account>(Account{.name = "uid 1001"});
+  std::vector<AssetHolds> holds;
+  const auto put_and_hold = [&](const AccountPtr& account, const std::string& bytes) {
+    auto upload = AssetUpload::begin(*store_, account, sha256(bytes), bytes.size());
+    if (!upload || !upload->add(0, bytes) || !upload->commit()) return false;
+    return holds.emplace_back(*store_, account).add(sha256(bytes));
+  };
+  char next = 'a';
+  while (put_and_hold(greedy, text(next, 50))) ++next;
+  EXPECT_EQ(greedy->asset_bytes, 700u);  // 7/8
+  EXPECT_TRUE(put_and_hold(other, "a scene"));
+  const auto refused = AssetUpload::begin(*store_, greedy, sha256("more"), 4);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message,
+            "uid 1000 has its share of the asset store: 700 of its 800 bytes");
+  // What several of its jobs name is kept once.
+  holds.emplace_back(*store_, greedy).add(sha256(text('a', 50)));
+  EXPECT_EQ(greedy->asset_bytes, 700u);
+  holds.clear();
+  EXPECT_EQ(greedy->asset_bytes, 0u);
+  EXPECT_EQ(other->asset_bytes, 0u);
 }
 
 TEST_F(AssetStoreTest, TheSameAssetTwiceAtATimeIsStoredOnce) {
   open(100);
-  auto first = std::make_unique<AssetUpload>(AssetUpload::begin(*store_, sha256("abc"), 3).value());
+  auto first =
+      std::make_unique<AssetUpload>(AssetUpload::begin(*store_, {}, sha256("abc"), 3).value());
   auto second =
-      std::make_unique<AssetUpload>(AssetUpload::begin(*store_, sha256("abc"), 3).value());
+      std::make_unique<AssetUpload>(AssetUpload::begin(*store_, {}, sha256("abc"), 3).value());
   ASSERT_TRUE(first->add(0, "abc"));
   ASSERT_TRUE(second->add(0, "abc"));
   ASSERT_TRUE(first->commit());

@@ -1,6 +1,7 @@
 #include "client.h"
 
 #include <gtest/gtest.h>
+#include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <sys/un.h>
@@ -23,6 +24,16 @@ Client::Client(const std::string& path) : fd_(::socket(AF_UNIX, SOCK_STREAM | SO
   std::strncpy(address.sun_path, path.c_str(), sizeof address.sun_path - 1);
   if (::connect(fd_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
     throw std::runtime_error("can't connect to " + path);
+  }
+}
+
+Client::Client(std::uint16_t port) : fd_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(port);
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  if (::connect(fd_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+    throw std::runtime_error("can't connect to port " + std::to_string(port));
   }
 }
 
@@ -106,6 +117,12 @@ v1::Welcome Client::hello() {
   const v1::Envelope answer = ask(message);
   EXPECT_TRUE(answer.has_welcome()) << answer.ShortDebugString();
   return answer.welcome();
+}
+
+v1::Info Client::info() {
+  v1::Envelope message;
+  message.mutable_get_info();
+  return ask(message).info();
 }
 
 std::vector<std::string> Client::upload(const std::vector<std::string>& assets) {

@@ -16,6 +16,8 @@ class Client {
  public:
   /// Connects to a Unix socket. Says nothing yet.
   explicit Client(const std::string& path);
+  /// The same at a port of 127.0.0.1: to the server another peer than a Unix socket's.
+  explicit Client(std::uint16_t port);
   ~Client();
   Client(const Client&) = delete;
 
@@ -35,6 +37,7 @@ class Client {
   void finish_sending();
 
   v1::Welcome hello();
+  v1::Info info();
   /// Sends what is missing of these, in small pieces; gives the digests, 32 bytes each.
   std::vector<std::string> upload(const std::vector<std::string>& assets);
   /// A job whose scene is this text.

@@ -18,7 +18,8 @@ Daemon::Daemon(const std::function<void(ServiceOptions&)>& change)
   gate_ = ::open(gate.c_str(), O_RDWR | O_CLOEXEC);
 
   ServiceOptions options;
-  options.listen = {wire::parse_endpoint("unix:" + socket()).value()};
+  options.listen = {wire::parse_endpoint("unix:" + socket()).value(),
+                    wire::parse_endpoint("127.0.0.1:0").value()};
   options.store = folder() / "store";
   options.first_job_id = 1;
   options.worker.command.program = METAMER_BIN "/metamer-fake-worker";
@@ -27,6 +28,7 @@ Daemon::Daemon(const std::function<void(ServiceOptions&)>& change)
   if (auto started = service_->start(); !started) {
     throw std::runtime_error(started.error().message);
   }
+  port_ = service_->endpoints().back().port;
   thread_ = std::thread([this] { context_.run(); });
 }
 

@@ -22,6 +22,8 @@ class Daemon {
 
   const std::filesystem::path& folder() const { return folder_.path(); }
   std::string socket() const { return (folder() / "socket").string(); }
+  /// A TCP port of 127.0.0.1.
+  std::uint16_t port() const { return port_; }
   /// Lets a worker that waits at its gate go on, or the next one that comes there.
   void open_gate();
   /// Says how starting a worker shall fail from now on: "no-start" or "never-ready".
@@ -33,6 +35,7 @@ class Daemon {
   int gate_ = -1;
   boost::asio::io_context context_;
   std::unique_ptr<Service> service_;
+  std::uint16_t port_ = 0;
   std::thread thread_;
 };
 

@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "server/service/folders.h"
 #include "server/service/job_queue.h"
 #include "server/service/limits.h"
+#include "server/service/watches.h"
 
 namespace metamer::service {
 
@@ -298,6 +301,67 @@ TEST_F(JobTest, EndedJobsAreDroppedOldestFirstWhenTheirPicturesTakeTooMuch) {
   EXPECT_EQ(queue.find(1), nullptr);
   EXPECT_NE(queue.find(2), nullptr);
   EXPECT_NE(queue.find(3), nullptr);
+}
+
+TEST_F(JobTest, PicturesThatAreOnlyWatchedTakeNoMoreMemoryThanIsKept) {
+  constexpr std::uint64_t kept = 13'000;  // two pictures of 32 × 16 × 12 bytes
+  JobQueue queue(kept, 1);
+  std::vector<std::shared_ptr<Job>> jobs;
+  Watches watches([] {});
+  v1::Watch watch;
+  watch.set_tiles(true);
+  for (std::uint64_t id = 1; id <= 10; ++id) {
+    jobs.push_back(queue.submit({}, AssetHolds(*store_)).value());
+    Job& job = *queue.next(v1::CPU);
+    watches.add(id, watch, jobs.back());
+    job.start();
+    ASSERT_TRUE(job.plan(plan(32, 16, 16)));
+    ASSERT_TRUE(job.make_film());
+    job.add_tile(0, 1);
+    job.add_tile(1, 1);
+    job.finish({});
+    queue.ended(job);
+    std::uint64_t bytes = 0;
+    for (const auto& each : jobs) bytes += each->film_bytes();
+    EXPECT_LE(bytes, 2 * kept) << id;
+  }
+  // Who reads then gets a picture whole, or is told.
+  std::map<std::uint64_t, int> tiles;
+  std::map<std::uint64_t, std::string> ends;
+  while (const auto message = watches.next()) {
+    const std::uint64_t id = message->request_id();
+    tiles[id] += message->job_event().has_tile();
+    if (message->job_event().has_finished()) ends[id] = "finished";
+    if (message->has_error()) ends[id] = message->error().message();
+  }
+  EXPECT_EQ(watches.size(), 0u);
+  for (std::uint64_t id = 1; id <= 10; ++id) {
+    const bool whole = id > 6;
+    EXPECT_EQ(tiles[id], whole ? 2 : 0) << id;
+    EXPECT_EQ(ends[id], whole ? "finished"
+                              : "the picture of job " + std::to_string(id) +
+                                    " was dropped before it was read");
+  }
+}
+
+TEST_F(JobTest, OwnersHaveTurnsAndLeaveRoomForEachOther) {
+  JobQueue queue(1 << 20, 1);
+  const auto greedy = std::make_shared<Account>(Account{.name = "uid 1000"});
+  const auto other = std::make_shared<Account>(Account{.name = "10.0.0.2"});
+  std::vector<JobQueue::JobPtr> many;
+  while (const auto job = queue.submit({}, AssetHolds(*store_), greedy)) many.push_back(*job);
+  EXPECT_EQ(many.size(), max_live_jobs / 8 * 7);
+  EXPECT_EQ(queue.submit({}, AssetHolds(*store_), greedy).error().message,
+            "uid 1000 has its share of the queue: 224 of its jobs have not ended");
+  const auto first = queue.submit({}, AssetHolds(*store_), other);
+  const auto second = queue.submit({}, AssetHolds(*store_), other);
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(queue.next(v1::CPU), many[0]);
+  EXPECT_EQ(queue.next(v1::CPU), *first);
+  EXPECT_EQ(queue.next(v1::CPU), many[1]);
+  EXPECT_EQ(queue.next(v1::CPU), *second);
+  EXPECT_EQ(queue.next(v1::CPU), many[2]);
+  EXPECT_EQ(queue.next(v1::CPU), many[3]);
 }
 
 TEST_F(JobTest, ALongListStaysAControlMessage) {

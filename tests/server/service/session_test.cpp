@@ -157,27 +157,6 @@ TEST_F(SessionTest, RandomBytesEndThatSessionAlone) {
   }
 }
 
-TEST_F(SessionTest, TheDoorIsFullAtItsLimitAndOpenAgainAfterwards) {
-  std::vector<std::unique_ptr<Client>> clients;
-  client_.hello();
-  for (std::size_t i = 1; i < max_sessions; ++i) {
-    clients.push_back(std::make_unique<Client>(daemon_.socket()));
-    clients.back()->hello();
-  }
-  Client surplus(daemon_.socket());
-  const auto answer = surplus.receive();
-  ASSERT_TRUE(answer);
-  expect_error(*answer, v1::Error::LIMIT, "the server has its 64 sessions; try again later");
-  EXPECT_TRUE(surplus.closed_by_server());
-  clients.pop_back();
-  // The server notices on its own thread; asking it puts that behind us.
-  v1::Envelope info;
-  info.mutable_get_info();
-  while (client_.ask(info).info().sessions() == max_sessions) {
-  }
-  Client(daemon_.socket()).hello();
-}
-
 TEST_F(SessionTest, AssetsAreOfferedSentAndThenKnown) {
   client_.hello();
   const std::string asset(10'000'000, 'a');

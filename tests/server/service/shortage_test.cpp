@@ -28,12 +28,6 @@ class NoDescriptors {
   rlimit before_{};
 };
 
-v1::Info info_of(Client& client) {
-  v1::Envelope message;
-  message.mutable_get_info();
-  return client.ask(message).info();
-}
-
 }  // namespace
 
 TEST(Shortage, WithoutDescriptorsNoWorkerStartsAndTheJobsWait) {
@@ -47,7 +41,7 @@ TEST(Shortage, WithoutDescriptorsNoWorkerStartsAndTheJobsWait) {
   {
     const NoDescriptors none;
     daemon.open_gate();
-    while (info_of(client).worker(0).starts() < 5) {  // three in a row have failed by then
+    while (client.info().worker(0).starts() < 5) {  // three in a row have failed by then
     }
     for (const auto job : {first, second}) {
       const v1::JobSummary summary = client.summary(job);
