@@ -18,19 +18,17 @@ inline Double3 cross(const Double3& a, const Double3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// The angle of a vector from the x axis, rad in 0..π, where y >= 0: to 2e-8 (Abramowitz & Stegun
-/// 1964, 4.4.49).
-inline double angle_of(double y, double x) {
-  const double run = std::abs(x);
-  const bool steep = y > run;
-  const double t = (steep ? run : y) / (steep ? y : run), s = t * t;
-  double angle = 0.0028662257;
-  for (const double c : {-0.0161657367, 0.0429096138, -0.0752896400, 0.1065626393, -0.1420889944,
-                         0.1999355085, -0.3333314528, 1.0})
-    angle = angle * s + c;
-  angle *= t;
-  if (steep) angle = M_PI / 2 - angle;
-  return x < 0 ? M_PI - angle : angle;
+inline double largest(double a, double b, double c) { return std::max(a, std::max(b, c)); }
+
+/// The angle of a vector of this length from the x axis, rad in 0..π, where y >= 0: to 4e-8. As
+/// twice the arctangent of y / (length + |x|), which is at most 1 (Abramowitz & Stegun
+/// 1964, 4.4.49). Without branches, which no processor would foresee.
+inline double angle_of(double x, double y, double length) {
+  const double t = y / (length + std::abs(x)), s = t * t;
+  const double high = ((0.0028662257 * s - 0.0161657367) * s + 0.0429096138) * s - 0.0752896400;
+  const double low = ((high * s + 0.1065626393) * s - 0.1420889944) * s + 0.1999355085;
+  const double half = t + t * s * (low * s - 0.3333314528);
+  return M_PI / 2 - std::copysign(M_PI / 2 - 2 * half, x);
 }
 
 /// A triangle's plane and the angles of its corners.
@@ -46,14 +44,15 @@ inline CornerAngles corner_angles(const Double3& a, const Double3& b, const Doub
                                   double step) {
   const Double3 ab = b - a, bc = c - b, ca = a - c;
   const Double3 area = cross(ab, bc);
-  const double size2 = dot(area, area);
-  const double longest2 = std::max({dot(ab, ab), dot(bc, bc), dot(ca, ca)});
-  const double farthest = std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])}) * step;
+  const double size2 = dot(area, area), ab2 = dot(ab, ab), bc2 = dot(bc, bc), ca2 = dot(ca, ca);
+  const double longest2 = largest(ab2, bc2, ca2);
+  const double farthest = largest(std::abs(a[0]), std::abs(a[1]), std::abs(a[2])) * step;
   if (!(size2 > longest2 * std::max(1e-12 * longest2, farthest * farthest))) return {};
   const double size = std::sqrt(size2), scale = 1 / size;
   return {.normal = {area[0] * scale, area[1] * scale, area[2] * scale},
-          .angles = {angle_of(size, -dot(ab, ca)), angle_of(size, -dot(bc, ab)),
-                     angle_of(size, -dot(ca, bc))}};
+          .angles = {angle_of(-dot(ab, ca), size, std::sqrt(ab2 * ca2)),
+                     angle_of(-dot(bc, ab), size, std::sqrt(bc2 * ab2)),
+                     angle_of(-dot(ca, bc), size, std::sqrt(ca2 * bc2))}};
 }
 
 /// How a mesh's coordinates are rounded, relative to themselves.

@@ -122,24 +122,6 @@ Wrong read_property(const Words& words, std::vector<Element>& elements) {
 
 }  // namespace
 
-std::size_t size_of(Scalar type) {
-  switch (type) {
-    case Scalar::i8:
-    case Scalar::u8:
-      return 1;
-    case Scalar::i16:
-    case Scalar::u16:
-      return 2;
-    case Scalar::i32:
-    case Scalar::u32:
-    case Scalar::f32:
-      return 4;
-    case Scalar::f64:
-      return 8;
-  }
-  return 0;
-}
-
 std::size_t Element::least_size(Format format) const {
   std::size_t size = 0;
   for (const Property& property : properties)  // In text a digit, and a blank before the next.

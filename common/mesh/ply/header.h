@@ -15,8 +15,9 @@ namespace metamer::ply {
 enum class Scalar { i8, u8, i16, u16, i32, u32, f32, f64 };
 enum class Format { ascii, little_endian, big_endian };
 
+inline constexpr std::size_t scalar_sizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
 /// Bytes of a value in a binary file.
-std::size_t size_of(Scalar type);
+constexpr std::size_t size_of(Scalar type) { return scalar_sizes[static_cast<std::size_t>(type)]; }
 
 struct Property {
   std::string name;
