@@ -47,7 +47,9 @@ bool write(png_structp png, png_infop info, const PngDescription& description,
            const std::function<void(int y, unsigned char* row)>& fill) {
   if (setjmp(png_jmpbuf(png))) return false;
   describe(png, info, description, texts);
-  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_NO_FILTERS);  // the fastest by far
+  // A third of the usual time, for a tenth more bytes.
+  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+  png_set_compression_level(png, 3);
   png_write_info(png, info);
   for (int y = 0; y < description.height; ++y) {
     fill(y, row.data());

@@ -32,13 +32,15 @@ Result<std::optional<std::string>> read_frame(int fd) {
 }
 
 Result<void> write_frame(int fd, std::string_view payload) {
-  const std::string frame = encode_frame(payload);
-  std::string_view rest = frame;
-  while (!rest.empty()) {
-    const ssize_t sent = ::send(fd, rest.data(), rest.size(), MSG_NOSIGNAL);
+  return write_frames(fd, encode_frame(payload));
+}
+
+Result<void> write_frames(int fd, std::string_view frames) {
+  while (!frames.empty()) {
+    const ssize_t sent = ::send(fd, frames.data(), frames.size(), MSG_NOSIGNAL);
     if (sent < 0 && errno == EINTR) continue;
     if (sent < 0) return problem(std::string("can't write: ") + std::strerror(errno));
-    rest.remove_prefix(static_cast<std::size_t>(sent));
+    frames.remove_prefix(static_cast<std::size_t>(sent));
   }
   return {};
 }

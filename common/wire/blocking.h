@@ -18,6 +18,8 @@ Result<std::optional<std::string>> read_frame(int fd);
 /// Sends `payload` (at most max_frame bytes) as one frame. Errors: the system's, with its text;
 /// a peer that is gone is an error, never a signal.
 Result<void> write_frame(int fd, std::string_view payload);
+/// The same for frames that encode_frame has made, one behind the other.
+Result<void> write_frames(int fd, std::string_view frames);
 
 /// The same for the messages between metamerd and a worker. Another error: not a WorkerEnvelope.
 Result<std::optional<v1::WorkerEnvelope>> read_envelope(int fd);

@@ -141,11 +141,14 @@ asio::awaitable<tl::expected<void, ChannelError>> Channel::read(
 
 asio::awaitable<tl::expected<void, ChannelError>> Channel::write(
     const google::protobuf::MessageLite& message) {
-  const std::string frame = encode_frame(message.SerializeAsString());
-  const auto [error, size] =
-      co_await asio::async_write(socket_, asio::buffer(frame), asio::as_tuple(asio::use_awaitable));
+  co_return co_await write_frames(encode_frame(message.SerializeAsString()));
+}
+
+asio::awaitable<tl::expected<void, ChannelError>> Channel::write_frames(std::string frames) {
+  const auto [error, size] = co_await asio::async_write(socket_, asio::buffer(frames),
+                                                        asio::as_tuple(asio::use_awaitable));
   if (error) co_return failed(Kind::system, error.message());
-  assert(size == frame.size());
+  assert(size == frames.size());
   co_return tl::expected<void, ChannelError>();
 }
 

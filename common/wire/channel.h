@@ -52,6 +52,8 @@ class Channel {
   /// Sends `message`, which must fit into a frame (a programmer's mistake otherwise).
   asio::awaitable<tl::expected<void, ChannelError>> write(
       const google::protobuf::MessageLite& message);
+  /// The same for frames that encode_frame has made, one behind the other.
+  asio::awaitable<tl::expected<void, ChannelError>> write_frames(std::string frames);
 
   /// Says that nothing more will be sent, then takes what the peer still sends and throws it away,
   /// until it closes too. Closing with bytes unread would take the last answer from the peer.

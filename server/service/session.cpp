@@ -153,6 +153,18 @@ std::optional<v1::Envelope> Session::next_to_send() {
   return event;
 }
 
+/// What there is to send, up to a few tiles: each write costs both sides more than its bytes do.
+std::string Session::frames_to_send() {
+  constexpr std::size_t enough = 64u << 10;
+  std::string frames;
+  while (frames.size() < enough) {
+    const auto message = next_to_send();
+    if (!message) break;
+    frames += wire::encode_frame(message->SerializeAsString());
+  }
+  return frames;
+}
+
 /// Its client has had its last event, or is gone: then the worker has not heard of it yet.
 void Session::close_view(View& view) {
   if (!view.ended()) context_.worker_of(view.backend()).tell(view.closing());
@@ -160,10 +172,10 @@ void Session::close_view(View& view) {
 
 asio::awaitable<void> Session::write_answers() {
   while (channel_.is_open()) {
-    const auto message = next_to_send();
-    if (message) {
+    std::string frames = frames_to_send();
+    if (!frames.empty()) {
       writing_ = true;
-      const auto sent = co_await channel_.write(*message);
+      const auto sent = co_await channel_.write_frames(std::move(frames));
       writing_ = false;
       last_progress_ = Clock::now();
       if (!sent) co_return close();

@@ -42,6 +42,7 @@ class Session : public std::enable_shared_from_this<Session> {
   void limit_upload();
   void send(v1::Envelope answer);
   std::optional<v1::Envelope> next_to_send();
+  std::string frames_to_send();
   void close_view(View& view);
 
   wire::Channel channel_;

@@ -314,7 +314,7 @@ void Job::send_tile(const v1::TileRect& tile, std::uint64_t rays) {
   v1::WorkerEnvelope tile_done = envelope();
   *tile_done.mutable_tile_done()->mutable_tile() = tile;
   tile_done.mutable_tile_done()->set_rays(rays);
-  link_.send(tile_done);
+  link_.send_with_others(tile_done);
 }
 
 /// In pieces that a worker's frame holds. False for more than is kept, or for none at all.

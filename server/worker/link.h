@@ -1,7 +1,9 @@
 #pragma once
 
+#include <chrono>
 #include <mutex>
 #include <optional>
+#include <string>
 
 #include "metamer/v1/worker.pb.h"
 
@@ -15,12 +17,22 @@ class Link {
   /// False when the daemon is gone.
   bool send(const v1::WorkerEnvelope& message);
 
+  /// The same for what comes in swarms and can wait: it goes with the next message that can't, or
+  /// with the next one that comes `lateness` after the last, so that the daemon is woken once for
+  /// many. What stands alone goes at once.
+  bool send_with_others(const v1::WorkerEnvelope& message);
+  static constexpr std::chrono::milliseconds lateness{10};
+
   /// The next message; nothing when the daemon is gone or has sent what is no message.
   std::optional<v1::WorkerEnvelope> receive();
 
  private:
+  bool flush();
+
   int descriptor_;
   std::mutex sending_;
+  std::string unsent_;  ///< Frames.
+  std::chrono::steady_clock::time_point sent_{};
 };
 
 }  // namespace metamer::worker
