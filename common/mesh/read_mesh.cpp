@@ -18,10 +18,10 @@ bool ends_with(const std::string& name, std::string_view extension) {
 }  // namespace
 
 Result<MeshFile> read_mesh(const std::string& name, const MeshBytes& files) {
-  const auto bytes = files(name);
+  auto bytes = files(name);
   if (!bytes) return tl::unexpected(bytes.error());
   if (ends_with(name, ".ply")) return read_ply(*bytes, name);
-  if (ends_with(name, ".obj")) return read_obj(*bytes, name);
+  if (ends_with(name, ".obj")) return read_obj(*std::move(bytes), name);
   if (ends_with(name, ".gltf") || ends_with(name, ".glb")) return read_gltf(*bytes, name, files);
   return problem("is neither .ply, .obj, .gltf nor .glb");
 }

@@ -22,7 +22,8 @@ constexpr std::size_t most_names = limits::max_objects;   // Of objects with mat
 
 class FileReader {
  public:
-  FileReader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+  FileReader(Bytes bytes, const std::string& file)
+      : bytes_(std::move(bytes)), text_(bytes_.data(), bytes_.size()), file_(file) {}
 
   Result<MeshFile> read() {
     split();
@@ -56,7 +57,7 @@ class FileReader {
 
   template <typename Work>
   void for_pieces(const Work& work) {
-    tbb::parallel_for(std::size_t{0}, pieces_.size(), work);
+    tbb::parallel_for(std::size_t{0}, faces_.size(), work);
   }
 
   /// Counts what each piece holds, so that all can be read into their places at once.
@@ -88,6 +89,8 @@ class FileReader {
       if (wrong) first.keep(i, *std::move(wrong));
     });
     if (first.get()) return tl::unexpected(*first.get());
+    pieces_.clear();
+    bytes_ = {};
     return {};
   }
 
@@ -213,7 +216,8 @@ class FileReader {
     std::erase_if(mesh_.pieces, [](const MeshPiece& piece) { return piece.triangles == 0; });
   }
 
-  std::string_view text_;
+  Bytes bytes_;
+  std::string_view text_;  ///< Of them.
   const std::string& file_;
   char line_end_ = '\n';
   std::vector<std::string_view> pieces_;
@@ -227,8 +231,8 @@ class FileReader {
 }  // namespace
 }  // namespace obj
 
-Result<MeshFile> read_obj(const Bytes& bytes, const std::string& name) {
-  return obj::FileReader({bytes.data(), bytes.size()}, name).read();
+Result<MeshFile> read_obj(Bytes bytes, const std::string& name) {
+  return obj::FileReader(std::move(bytes), name).read();
 }
 
 }  // namespace metamer
