@@ -51,6 +51,7 @@ class PlaceTable {
   std::vector<std::atomic<std::uint64_t>> slots_;  ///< Open addressing; 0: free.
 };
 
+constexpr std::uint32_t no_vertex = 0xFFFFFFFF;
 constexpr std::size_t ahead = 32;  // Slots that are fetched while others are looked at.
 
 }  // namespace
@@ -74,7 +75,14 @@ std::vector<std::uint32_t> equal_positions(const MeshFile& mesh) {
     }
     if (found) any = true;
   });
-  if (!any) same.clear();
+  if (!any) return {};
+  // Whichever thread came first: the first in the file stands for them all.
+  std::vector<std::uint32_t> first(same.size(), no_vertex);
+  for (std::uint32_t vertex = 0; vertex < same.size(); ++vertex) {
+    std::uint32_t& known = first[same[vertex]];
+    known = std::min(known, vertex);
+    same[vertex] = known;
+  }
   return same;
 }
 

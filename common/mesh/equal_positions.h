@@ -7,8 +7,8 @@
 
 namespace metamer {
 
-/// For each vertex the number of one at its place, the same one for all that are there. Empty: no
-/// two are at one place. 0 and -0 are one place.
+/// For each vertex the number of the first one at its place. Empty: no two are at one place. 0 and
+/// -0 are one place.
 std::vector<std::uint32_t> equal_positions(const MeshFile& mesh);
 
 }  // namespace metamer

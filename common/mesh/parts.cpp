@@ -4,7 +4,7 @@
 #include <initializer_list>
 #include <set>
 
-#include "common/mesh/vertex.h"
+#include "common/mesh/used_vertices.h"
 
 namespace metamer {
 namespace {
@@ -54,15 +54,6 @@ tl::unexpected<Problem> no_part(const Pieces& pieces, const std::string& part) {
                  did_you_mean(part, names));
 }
 
-/// Moves `values` of the vertices that are kept to their new places, which are not behind the old.
-template <typename T>
-void keep_vertices(const std::vector<std::uint32_t>& kept, std::vector<T>& values) {
-  if (values.empty()) return;
-  for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];
-  values.resize(kept.size());
-  values.shrink_to_fit();
-}
-
 void keep_pieces(MeshFile& file, Pieces pieces) {
   // Move the triangles together.
   std::uint64_t count = 0;
@@ -76,22 +67,7 @@ void keep_pieces(MeshFile& file, Pieces pieces) {
   file.triangles.resize(count);
   file.triangles.shrink_to_fit();
   file.pieces = std::move(pieces);
-
-  // Leave the vertices that they use, in their order.
-  std::vector<std::uint32_t> numbers(vertex_count(file), 0), kept;
-  for (const Triangle& triangle : file.triangles)
-    for (const std::uint32_t vertex : triangle) numbers[vertex] = 1;
-  for (std::uint32_t vertex = 0; vertex < numbers.size(); ++vertex) {
-    if (numbers[vertex] == 0) continue;
-    numbers[vertex] = static_cast<std::uint32_t>(kept.size());
-    kept.push_back(vertex);
-  }
-  for (Triangle& triangle : file.triangles)
-    for (std::uint32_t& vertex : triangle) vertex = numbers[vertex];
-  keep_vertices(kept, file.positions);
-  keep_vertices(kept, file.positions_f64);
-  keep_vertices(kept, file.normals);
-  keep_vertices(kept, file.uvs);
+  keep_used_vertices(file);
 }
 
 }  // namespace

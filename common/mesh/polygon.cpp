@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 
 #include "common/mesh/vertex.h"
 
@@ -67,43 +66,52 @@ void fan(std::size_t count, std::size_t from, std::vector<Triangle>& to) {
   for (std::size_t i = 1; i + 1 < count; ++i) to.push_back({corner(0), corner(i), corner(i + 1)});
 }
 
-/// Cuts a concave polygon's ears one by one.
+/// Cuts a concave polygon's ears one by one. Which corners are ears is kept: a cut changes it for
+/// its two neighbours alone.
 class Ears {
  public:
-  explicit Ears(std::vector<Double2> points) : points_(std::move(points)), left_(points_.size()) {
-    std::iota(left_.begin(), left_.end(), 0u);
+  explicit Ears(std::vector<Double2> points)
+      : points_(std::move(points)), before_(count()), after_(count()), ear_(count()) {
+    for (std::uint32_t i = 0; i < count(); ++i) {
+      before_[i] = (i + count() - 1) % count();
+      after_[i] = (i + 1) % count();
+    }
+    for (std::uint32_t i = 0; i < count(); ++i) ear_[i] = is_ear(i);
   }
 
   void cut(std::vector<Triangle>& to) {
-    std::size_t at = 0;
-    while (left_.size() > 3) {
-      std::size_t tries = left_.size();
-      while (tries > 0 && !is_ear(at)) at = (at + 1) % left_.size(), --tries;
+    std::uint32_t at = 0;
+    for (std::uint32_t left = count(); left > 3; --left) {
+      std::uint32_t tries = left;
+      while (tries > 0 && !ear_[at]) at = after_[at], --tries;
       // None where edges cross: any corner does.
-      to.push_back({neighbour(at, -1), left_[at], neighbour(at, 1)});
-      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(at));
+      const std::uint32_t a = before_[at], c = after_[at];
+      to.push_back({a, at, c});
+      after_[a] = c;
+      before_[c] = a;
+      ear_[a] = is_ear(a);
+      ear_[c] = is_ear(c);
       // On past the next corner: cutting at one place again and again makes thin triangles.
-      at = (at + 1) % left_.size();
+      at = after_[c];
     }
-    to.push_back({left_[0], left_[1], left_[2]});
+    to.push_back({before_[at], at, after_[at]});
   }
 
  private:
-  std::uint32_t neighbour(std::size_t at, int step) const {
-    return left_[(at + left_.size() + static_cast<std::size_t>(step)) % left_.size()];
-  }
-  bool is_ear(std::size_t at) const {
-    const Double2 &a = points_[neighbour(at, -1)], &b = points_[left_[at]],
-                  &c = points_[neighbour(at, 1)];
+  std::uint32_t count() const { return static_cast<std::uint32_t>(points_.size()); }
+  bool is_ear(std::uint32_t at) const {
+    const Double2 &a = points_[before_[at]], &b = points_[at], &c = points_[after_[at]];
     if (!(turn(a, b, c) > 0)) return false;
-    return std::none_of(left_.begin(), left_.end(), [&](std::uint32_t other) {
-      const Double2& p = points_[other];
-      return p != a && p != b && p != c && inside(p, a, b, c);
-    });
+    for (std::uint32_t i = after_[after_[at]]; i != before_[at]; i = after_[i]) {
+      const Double2& p = points_[i];
+      if (p != a && p != b && p != c && inside(p, a, b, c)) return false;
+    }
+    return true;
   }
 
   std::vector<Double2> points_;
-  std::vector<std::uint32_t> left_;  ///< The corners that are not cut off, in their order.
+  std::vector<std::uint32_t> before_, after_;  ///< The corners that are left beside each.
+  std::vector<char> ear_;
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace metamer {
 /// span no area, a fan from the first. `to` is overwritten.
 void triangulate(std::span<const Double3> corners, std::vector<Triangle>& to);
 
-inline constexpr std::size_t most_ears = 1000;  ///< Cutting takes up to the cube of them.
+inline constexpr std::size_t most_ears = 1000;  ///< Cutting takes the square of them.
 
 /// Makes triangles of one face after the other. For one thread.
 class FaceSplitter {

@@ -3,6 +3,7 @@
 #include "common/mesh/mesh_file.h"
 #include "common/mesh/parts.h"
 #include "common/mesh/smooth_normals.h"
+#include "common/mesh/used_vertices.h"
 
 namespace metamer {
 namespace {
@@ -29,6 +30,7 @@ Result<TriangleMesh> triangles_of(MeshFile file, const MeshUse& use) {
   } else if (auto selected = select_part(file, use.part); !selected) {
     return tl::unexpected(selected.error());
   }
+  join_repeated_vertices(file);
   if (file.normals.empty() && use.crease_angle)
     creased_normals(file, *use.crease_angle);
   else

@@ -69,5 +69,14 @@ TEST(Parts, NormalsAreOfThePartAlone) {
     EXPECT_EQ(normal, (Float3{0, 0, 1}));
 }
 
+TEST(Parts, VerticesThatAFileRepeatsForEachTriangleAreJoined) {
+  const std::string twice = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 0\nv 1 1 0\nv -0 1 0\n";
+  const TriangleMesh mesh = used(obj_of(twice + "f 1 2 3\nf 4 5 6\n"));
+  EXPECT_EQ(mesh.positions.size(), 4u);
+  EXPECT_EQ(corners_of(mesh), square_corners());
+  const TriangleMesh own = used(obj_of(twice + "vn 0 0 1\nf 1//1 2//1 3//1\nf 4//1 5//1 6//1\n"));
+  EXPECT_EQ(own.positions.size(), 6u) << "with normals of their own they stay";
+}
+
 }  // namespace
 }  // namespace metamer

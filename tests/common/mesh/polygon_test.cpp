@@ -90,6 +90,14 @@ TEST(Polygon, IsCoveredOnceByItsTriangles) {
       spiral.push_back({radius * std::cos(angle), radius * std::sin(angle), 0});
     }
   expect_covered_anyhow(spiral);
+  Polygon coil;  // Of a thousand corners, twenty times round.
+  for (int side = 0; side < 2; ++side)
+    for (int i = 0; i < 500; ++i) {
+      const double angle = (side == 0 ? i : 499 - i) * 0.25;
+      const double radius = angle + (side == 0 ? 4.0 : 1.0);
+      coil.push_back({radius * std::cos(angle), radius * std::sin(angle), 0});
+    }
+  expect_covered(coil);
 }
 
 TEST(Polygon, WithCornersOnASideOrTwiceIsCovered) {
