@@ -46,6 +46,7 @@ class FileReader {
 
   /// Cuts the file into pieces for the threads.
   void split() {
+    if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);  // UTF-8's mark.
     line_end_ = line_end(text_);
     for (std::size_t begin = 0; begin < text_.size();) {
       const std::size_t end = piece_end(text_, begin + piece_size, line_end_);

@@ -18,7 +18,7 @@ TEST(Obj, FacesAreReadHoweverTheyAreSpelt) {
            "v 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 1 1 0\nv 0 1 0\nf 1 2 3 4",
            "# from C:\\models\\\n" + square +
                "mtllib a b.mtl\ns off\nl 1 2\np 1\nvp 0 1\nf 1 2 3 4\n",
-           square + "fo 1 2 3 4\n"}) {
+           "\xEF\xBB\xBF" + square + "f 1 2 3 4\n", square + "fo 1 2 3 4\n"}) {
     for (const std::string end : {"\n", "\r\n", "\r"}) {
       std::string other;
       for (const char c : text) other += c == '\n' ? end : std::string(1, c);

@@ -110,6 +110,47 @@ TEST(SmoothNormals, AreWeightedByAngle) {
   }
 }
 
+TEST(SmoothNormals, OfALargeMeshAreThoseOfTheFormulaItself) {
+  // A sheet of 90,000 vertices with triangles of all shapes, which several threads smooth.
+  constexpr std::uint32_t side = 300;
+  MeshFile file;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> away(-0.45f, 0.45f);
+  for (std::uint32_t i = 0; i < side * side; ++i)
+    file.positions.push_back({static_cast<float>(i % side) + away(random),
+                              static_cast<float>(i / side) + away(random), 3 * away(random)});
+  for (std::uint32_t i = 0; i + side < side * side; ++i) {
+    if (i % side == side - 1) continue;
+    file.triangles.push_back({i, i + 1, i + side + 1});
+    file.triangles.push_back({i, i + side + 1, i + side});
+  }
+  std::shuffle(file.triangles.begin(), file.triangles.end(), random);
+
+  using Vector = std::array<long double, 3>;
+  std::vector<Vector> sums(file.positions.size(), Vector{});
+  for (const Triangle& t : file.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      Vector a{}, b{}, n{};
+      for (std::size_t x = 0; x < 3; ++x) {
+        a[x] =
+            static_cast<long double>(file.positions[t[(k + 1) % 3]][x]) - file.positions[t[k]][x];
+        b[x] =
+            static_cast<long double>(file.positions[t[(k + 2) % 3]][x]) - file.positions[t[k]][x];
+      }
+      for (std::size_t x = 0; x < 3; ++x)
+        n[x] = a[(x + 1) % 3] * b[(x + 2) % 3] - a[(x + 2) % 3] * b[(x + 1) % 3];
+      const long double size = std::hypot(n[0], n[1], n[2]);
+      const long double angle = std::atan2(size, a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+      for (std::size_t x = 0; x < 3; ++x) sums[t[k]][x] += angle * n[x] / size;
+    }
+  smooth_normals(file);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const long double length = std::hypot(sums[i][0], sums[i][1], sums[i][2]);
+    for (std::size_t x = 0; x < 3; ++x)
+      ASSERT_NEAR(file.normals[i][x], static_cast<double>(sums[i][x] / length), 3e-7) << i;
+  }
+}
+
 TEST(SmoothNormals, AVertexOfDegenerateTrianglesHasNone) {
   MeshFile file;
   file.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}};
