@@ -21,7 +21,7 @@ class Link {
   /// with the next one that comes `lateness` after the last, so that the daemon is woken once for
   /// many. What stands alone goes at once.
   bool send_with_others(const v1::WorkerEnvelope& message);
-  static constexpr std::chrono::milliseconds lateness{10};
+  static constexpr std::chrono::milliseconds lateness{40};
 
   /// The next message; nothing when the daemon is gone or has sent what is no message.
   std::optional<v1::WorkerEnvelope> receive();

@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+"""What whole commands cost beyond their work: python3 tests/bench/overhead_bench.py [BIN] [TURNS]"""
+import glob
+import json
+import os
+import resource
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+BIN = sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "build/release/bin")
+TURNS = int(sys.argv[2]) if len(sys.argv) > 2 else 5
+BOOTH = os.path.join(ROOT, "deploy/booth/booth.txtpb")
+LIGHTS = ["A", "C", "D50", "D55", "D65", "D75", "E", "F1", "F2", "F7", "F11", "F12"]
+
+
+def children_cpu():
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
+def run(words):
+    """CPU seconds of a command with all that it starts."""
+    before = children_cpu()
+    subprocess.run([os.path.join(BIN, "metamer"), *words], check=True, stdout=subprocess.DEVNULL,
+                   stderr=subprocess.DEVNULL)
+    return children_cpu() - before
+
+
+def worker_cpu(parent):
+    """CPU seconds of the worker below a process so far; 0: there is none."""
+    below = {parent}
+    for status in sorted(glob.glob("/proc/[0-9]*/stat"), key=lambda path: int(path.split("/")[2])):
+        try:
+            with open(status) as file:
+                name, _, rest = file.read().partition(") ")
+            pid, _, name = name.partition(" (")
+            fields = rest.split()
+            if int(fields[1]) not in below:
+                continue
+            below.add(int(pid))
+            if name == "metamer-worker":
+                return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+        except (OSError, ValueError, IndexError):
+            continue  # it has ended
+    return 0.0
+
+
+def render(folder, words):
+    """CPU seconds of a whole render; seconds of work that its worker reports; CPU seconds of the worker."""
+    before, worker = children_cpu(), 0.0
+    with open(os.path.join(folder, "answer"), "w+") as answer:
+        process = subprocess.Popen([os.path.join(BIN, "metamer"), "render", *words, "--json"],
+                                   stdout=answer, stderr=subprocess.DEVNULL)
+        while process.poll() is None:
+            worker = max(worker, worker_cpu(process.pid))
+            time.sleep(0.005)
+        answer.seek(0)
+        reported = json.load(answer)["timing"]["total"]
+    return children_cpu() - before, reported, worker
+
+
+def show(what, seconds, base, name):
+    print(f"{what}: {seconds:.3f} CPU s, {name} {base:.3f}: {seconds - base:.3f} beyond, ratio {seconds / base:.2f}")
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        picture, factors = os.path.join(folder, "booth.png"), os.path.join(folder, "booth.factors")
+        scene = [BOOTH, "-o", picture, "--size", "640x480", "--threads", "1"]
+        run(["render", *scene, "--spp", "4", "--keep-factors", factors])
+        one = ["relight", factors, "--light", f"*={LIGHTS[0]}", "-o", os.path.join(folder, "one.png")]
+        many = ["relight", factors, "-o", os.path.join(folder, "{light}.png")]
+        for light in LIGHTS:
+            many += ["--light", f"*={light}"]
+        wholes, quick, ones, manys, starts = [], [], [], [], []
+        for _ in range(TURNS):
+            wholes.append(render(folder, scene))
+            quick.append(render(folder, [*scene, "--spp", "1"]))
+            starts.append(run(["--version"]))
+            ones.append(run(one))
+            try:
+                manys.append(run(many))
+            except subprocess.CalledProcessError:
+                pass  # of a build whose relight makes one picture a run
+
+        for name, turns in [("render, 16 samples", wholes), ("render, 1 sample", quick)]:
+            # Seconds by the clock hold what others had of the core, so a busy machine lowers this.
+            cpu, work, _ = max(turns, key=lambda turn: turn[0] - turn[1])
+            show(name, cpu, work, "its worker reports")
+            cpu, work = (statistics.median(turn[i] for turn in turns) for i in (0, 2))
+            show(name, cpu, work, "its worker has had")
+        single = statistics.median(ones)
+        show("relight, 1 light", single, statistics.median(starts), "metamer --version")
+        if not manys:
+            return print("relight, 12 lights in one run: this build has none")
+        twelve = statistics.median(manys)
+        show("relight, 12 lights in one run", twelve, single, "1 light")
+        each = (twelve - single) / (len(LIGHTS) - 1)
+        show("relight, 1 light", single, each, "one more light in the same run")
+
+
+if __name__ == "__main__":
+    main()
