@@ -21,13 +21,22 @@ Result<const FileFormats*> load() {
   return functions();
 }
 
+const Result<const FileFormats*>& formats() {
+  static const Result<const FileFormats*> loaded = load();
+  return loaded;
+}
+
 }  // namespace
 
 Result<Image> false_color(const Difference& difference, Metric metric, double top,
                           std::string_view title) {
-  static const Result<const FileFormats*> formats = load();
-  if (!formats) return tl::unexpected(formats.error());
-  return (*formats)->false_color(difference, metric, top, title);
+  if (!formats()) return tl::unexpected(formats().error());
+  return (*formats())->false_color(difference, metric, top, title);
+}
+
+Result<void> draw_labels(Image& image, const std::vector<Label>& labels) {
+  if (!formats()) return tl::unexpected(formats().error());
+  return (*formats())->draw_labels(image, labels);
 }
 
 }  // namespace metamer

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/image/compare.h"
+#include "common/image/labels.h"
 
 namespace metamer {
 
@@ -9,6 +10,7 @@ namespace metamer {
 /// else does without it: PNG and EXR are written and read by their own libraries.
 struct FileFormats {
   decltype(&metamer::false_color) false_color;
+  decltype(&metamer::draw_labels) draw_labels;
 };
 
 }  // namespace metamer

@@ -45,8 +45,8 @@ v1::Reading to_message(const Reading& reading) {
   return message;
 }
 
-Result<Interpreted> as_role(const SpectrumFile& file, Spectrum spectrum, const Reading& reading,
-                            SpectrumRole role) {
+Result<Interpreted> as_role(const SpectrumFile& file, NamedSpectrum spectrum,
+                            const Reading& reading, SpectrumRole role) {
   switch (role) {
     case SpectrumRole::emission:
       return interpret(file, std::move(spectrum), reading, Use::emission);
@@ -57,7 +57,7 @@ Result<Interpreted> as_role(const SpectrumFile& file, Spectrum spectrum, const R
     case SpectrumRole::extinction:
       break;
   }
-  return Interpreted{.spectrum = std::move(spectrum), .quantity = Quantity::reflectance};
+  return Interpreted{.spectrum = std::move(spectrum.spectrum), .quantity = Quantity::reflectance};
 }
 
 }  // namespace metamer

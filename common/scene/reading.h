@@ -12,7 +12,7 @@ v1::Reading to_message(const Reading& reading);
 
 /// A spectrum of a file as its role needs it, with what was guessed; n and k are as they are.
 /// Errors: those of interpret().
-Result<Interpreted> as_role(const SpectrumFile& file, Spectrum spectrum, const Reading& reading,
-                            SpectrumRole role);
+Result<Interpreted> as_role(const SpectrumFile& file, NamedSpectrum spectrum,
+                            const Reading& reading, SpectrumRole role);
 
 }  // namespace metamer

@@ -76,7 +76,7 @@ Result<NotedSpectrum> choose(const File& file, const v1::Spectrum& message,
     const bool named = !message.entry().empty();
     return at(field + (named ? ".entry" : ".file"), std::move(chosen.error()));
   }
-  auto read = as_role(*file, *std::move(chosen), reading_of(message.reading()), role);
+  auto read = as_role(*file, std::move(*chosen), reading_of(message.reading()), role);
   if (!read) {
     read.error().message = which_of(message) + ": " + read.error().message;
     return at(field + ".file", std::move(read.error()));

@@ -1,6 +1,9 @@
 // --json: one document on stdout for every subcommand, whatever happens.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <sstream>
+
 #include "daemon.h"
 #include "scenes.h"
 
@@ -80,6 +83,26 @@ TEST_F(JsonOutput, InfoNamesModelsAndWorkers) {
   EXPECT_EQ(info["info"]["capabilities"]["method"],
             Json::array({"point", "rgb", "exact", "linear", "prefilter", "auto"}));
   EXPECT_EQ(info["info"]["capabilities"]["model"][0]["name"], "lambert");
+}
+
+TEST_F(JsonOutput, InfoIsAScreenAndTellsAllOnRequest) {
+  const Json capabilities = daemon.json({"info"})["info"]["capabilities"];
+  const std::string screen = daemon.metamer({"info"}).out;
+  EXPECT_LE(std::count(screen.begin(), screen.end(), '\n'), 24) << screen;
+  std::istringstream lines(screen);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
+  const std::string all = daemon.metamer({"info", "--all"}).out;
+  const std::string models = daemon.metamer({"info", "--models"}).out;
+  const std::string methods = daemon.metamer({"info", "--methods"}).out;
+  for (const Json& model : capabilities["model"]) {
+    EXPECT_NE(screen.find(model["name"].get<std::string>()), std::string::npos) << model;
+    for (const std::string* text : {&all, &models})
+      EXPECT_NE(text->find(model["citation"].get<std::string>()), std::string::npos) << model;
+  }
+  for (const Json& set : capabilities["method_features"])
+    for (const std::string* text : {&all, &methods})
+      EXPECT_NE(text->find("method " + set["name"].get<std::string>() + ": "), std::string::npos);
+  EXPECT_EQ(methods.find("worker"), std::string::npos);
 }
 
 TEST_F(JsonOutput, CheckGivesThePlanAndRendersNothing) {

@@ -144,7 +144,7 @@ TEST_F(Relit, SaysWhatItDoesNotKnow) {
   EXPECT_NE(refused({"--material", "paint=" + bright}).find("1.5 at 500 nm"), std::string::npos);
 }
 
-TEST_F(Relit, NamesMayHaveEqualsSignsAndEachIsGivenOnce) {
+TEST_F(Relit, NamesMayHaveEqualsSigns) {
   std::string text = scene_text(red, "standard: \"D65\"");
   text.replace(text.find("\"key\""), 5, "\"a=b\"");
   const std::string scene = folder.write("equals.txtpb", text);
@@ -152,10 +152,99 @@ TEST_F(Relit, NamesMayHaveEqualsSignsAndEachIsGivenOnce) {
   picture({"render", scene, "--keep-factors=" + file});
   const std::string f11 = folder.write("f11.txtpb", scene_text(red, "standard: \"F11\""));
   expect_same(picture({"relight", file, "--light", "a=b=F11"}), picture({"render", f11}));
-  const Ended twice =
-      metamer({"relight", file, "--light", "a=b=A", "--light", "a=b=F11", "-o", folder / "x.png"});
-  EXPECT_EQ(twice.code, 2);
-  EXPECT_NE(twice.err.find("\"a=b\" is named twice"), std::string::npos) << twice.err;
+}
+
+TEST_F(Relit, ByManyLightsIsAsByEachAlone) {
+  const std::string factors = keep();
+  const std::string lamps =
+      folder.write("lamps.csv", "nm,warm white,cold\n400,1,9\n550,3,5\n700,9,1\n");
+  const std::vector<std::pair<std::string, std::string>> lights = {
+      {"kept", "kept"},
+      {"F11", "F11"},
+      {"D:6504K", "D-6504K"},
+      {lamps + "#warm white", "lamps-warm-white"}};
+  std::vector<std::string> words = {
+      "relight", factors, "--exr", "xyz", "--json", "-o", folder / "many-{light}-{material}.exr"};
+  for (const auto& [light, name] : lights) words.insert(words.end(), {"--light", "key=" + light});
+  words.insert(words.end(),
+               {"--light", "fill=D50", "--material", "paint=kept", "--material", "paint=TCS09"});
+  const Ended ended = metamer(words);
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const Json answer = Json::parse(ended.out);
+  EXPECT_EQ(answer["files"].size(), 8U);
+  EXPECT_EQ(answer["pictures"][3]["light"], "F11");
+  EXPECT_EQ(answer["pictures"][3]["material"], "TCS09");
+  for (const auto& [light, name] : lights)
+    for (const std::string paint : {"kept", "TCS09"}) {
+      const auto many = read_image(folder / ("many-" + name + "-" + paint + ".exr"));
+      ASSERT_TRUE(many) << many.error().message;
+      EXPECT_EQ(many->pixels, picture({"relight", factors, "--light", "key=" + light, "--light",
+                                       "fill=D50", "--material", "paint=" + paint})
+                                  .pixels)
+          << name << paint;
+    }
+}
+
+TEST_F(Relit, AsASheetSaysHowFarCandidatesAreFromTheFirst) {
+  const std::string factors = keep();
+  const std::string sheet = folder / "sheet.png";
+  std::vector<std::string> words = {"relight", factors, "--sheet", sheet, "--json"};
+  for (const char* light : {"key=D65", "key=A"}) words.insert(words.end(), {"--light", light});
+  for (const char* paint : {"paint=TCS01", "paint=TCS02", "paint=TCS01"})
+    words.insert(words.end(), {"--material", paint});
+  const Ended ended = metamer(words);
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const Json answer = Json::parse(ended.out);
+  ASSERT_EQ(answer["pictures"].size(), 6U);
+  EXPECT_FALSE(answer["pictures"][0].contains("de00")) << "the reference";
+  for (const std::size_t light : {0, 1}) {
+    EXPECT_GT(answer["pictures"][3 * light + 1]["de00"]["maximum"], 3);
+    EXPECT_GT(answer["pictures"][3 * light + 1]["de00"]["share"], 0.05);
+    EXPECT_LT(answer["pictures"][3 * light + 1]["de00"]["share"], 0.9);
+    EXPECT_EQ(answer["pictures"][3 * light + 2]["de00"]["maximum"], 0) << "the same paint";
+  }
+  const auto drawn = read_image(sheet);
+  ASSERT_TRUE(drawn);
+  EXPECT_GT(drawn->width, 2 * 300);
+  EXPECT_GT(drawn->height, 3 * 250);
+  // What compare says of the same two pictures.
+  std::string files[2];
+  for (const int i : {0, 1}) {
+    files[i] = folder / (std::to_string(i) + ".exr");
+    ASSERT_EQ(metamer({"relight", factors, "--light", "key=A", "--material",
+                       i == 0 ? "paint=TCS01" : "paint=TCS02", "--exr", "xyz", "-o", files[i]})
+                  .code,
+              0);
+  }
+  const Ended compared = metamer({"compare", files[0], files[1], "--white", "A", "--json"});
+  EXPECT_NEAR(Json::parse(compared.out)["difference"]["maximum"].get<double>(),
+              answer["pictures"][4]["de00"]["maximum"].get<double>(), 1e-4);
+}
+
+TEST_F(Relit, ManyPicturesNeedManyNames) {
+  const std::string factors = keep();
+  const auto error_of = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"relight", factors});
+    const Ended ended = metamer(words);
+    EXPECT_EQ(ended.code, 2) << ended.out;
+    return ended.err;
+  };
+  const std::string x = folder / "x.png";
+  EXPECT_NE(error_of({"--light", "key=A", "--light", "key=E", "-o", x}).find("needs {light}"),
+            std::string::npos);
+  EXPECT_NE(error_of({"--material", "paint=TCS01", "--material", "paint=TCS02", "-o", x})
+                .find("needs {material}"),
+            std::string::npos);
+  EXPECT_NE(error_of({"--light", "key=A", "--light", "key=A", "-o", folder / "{light}.png"})
+                .find("two pictures would be called"),
+            std::string::npos);
+  EXPECT_NE(error_of({"--light", "key=A", "--light", "key=E", "--light", "key=B", "--light",
+                      "fill=A", "--light", "fill=E", "-o", folder / "{light}.png"})
+                .find("\"fill\" is given 2 spectra and another 3"),
+            std::string::npos);
+  EXPECT_NE(error_of({"--light", "key=A"}).find("-o FILE or --sheet FILE"), std::string::npos);
+  EXPECT_NE(error_of({"--sheet", folder / "x.exr"}).find("does not end in .png"),
+            std::string::npos);
 }
 
 TEST_F(Relit, SaysWhatHasNoEffect) {

@@ -1,9 +1,12 @@
-#include <array>
-#include <cstdio>
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "client/cli/commands.h"
 #include "client/cli/connection.h"
 #include "client/cli/shared_options.h"
+#include "client/tools/text/formatted.h"
 #include "client/tools/text/job_text.h"
 
 namespace metamer::cli {
@@ -11,7 +14,23 @@ namespace {
 
 struct InfoOptions {
   CommonOptions common;
+  bool models = false;   ///< Each with its citation and its parameters.
+  bool methods = false;  ///< What each backend and each method has.
+  bool all = false;
 };
+
+/// A line in pieces of 80 characters at most, parted at blanks; those after the first are indented.
+void print_wrapped(const std::string& line, Report& report) {
+  constexpr std::size_t width = 80, indent = 2;
+  std::string rest = line;
+  while (rest.size() > width) {
+    const std::size_t blank = rest.rfind(' ', width);
+    if (blank == std::string::npos || blank <= indent) break;
+    report.line(rest.substr(0, blank));
+    rest = std::string(indent, ' ') + rest.substr(blank + 1);
+  }
+  report.line(rest);
+}
 
 std::string list(const google::protobuf::RepeatedPtrField<std::string>& words) {
   std::string text;
@@ -20,66 +39,120 @@ std::string list(const google::protobuf::RepeatedPtrField<std::string>& words) {
 }
 
 void print_gl(const v1::GlCapabilities& gl, Report& report) {
-  report.line("gl: " + gl.renderer() + (gl.software() ? ", software" : "") + "; GL " +
-              gl.version());
-  report.line("  buffers of " + std::to_string(gl.storage_bytes() >> 20) + " MiB, textures of " +
-              std::to_string(gl.texture_side()) + " pixels");
-  report.line(gl.loop_iterations()
-                  ? "  leaves loops after " + std::to_string(gl.loop_iterations()) + " iterations"
-                  : std::string("  runs loops to their end"));
-  report.line(gl.timers() ? "  its timers agree with the clock"
-                          : "  its timers disagree with the clock and are not used");
+  print_wrapped(
+      "gl: " + gl.renderer() + (gl.software() ? ", software" : "") + "; GL " + gl.version(),
+      report);
+  print_wrapped(
+      "  buffers of " + std::to_string(gl.storage_bytes() >> 20) + " MiB, textures of " +
+          std::to_string(gl.texture_side()) + " pixels, " +
+          (gl.loop_iterations()
+               ? "leaves loops after " + std::to_string(gl.loop_iterations()) + " iterations, "
+               : std::string()) +
+          (gl.timers() ? "timers agree with the clock"
+                       : "timers disagree with the clock and are not used"),
+      report);
 }
 
-void print_info(const v1::Info& info, double ping, Report& report) {
-  std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(), "up %s, answers in %.1f ms, %u %s",
-                clock(info.uptime()).c_str(), ping * 1e3, info.sessions(),
-                info.sessions() == 1 ? "session" : "sessions");
-  report.line(info.server() + ": " + text.data());
-  report.line("jobs: " + std::to_string(info.jobs_running()) + " running, " +
-              std::to_string(info.jobs_queued()) + " queued; " +
-              std::to_string((info.store_bytes() + (1u << 20) - 1) >> 20) + " MiB of assets");
+void print_server(const v1::Info& info, double ping, Report& report) {
+  print_wrapped(info.server() + ": up " + clock(info.uptime()) +
+                    client::formatted(", answers in %.1f ms, %u %s", ping * 1e3, info.sessions(),
+                                      info.sessions() == 1 ? "session" : "sessions"),
+                report);
+  print_wrapped("jobs: " + std::to_string(info.jobs_running()) + " running, " +
+                    std::to_string(info.jobs_queued()) + " queued; " +
+                    std::to_string((info.store_bytes() + (1u << 20) - 1) >> 20) + " MiB of assets",
+                report);
   for (const v1::WorkerInfo& worker : info.worker())
-    report.line(worker.backend() + " worker" +
-                (worker.pid() ? " " + std::to_string(worker.pid()) : "") + ": " + worker.state() +
-                ", start " + std::to_string(worker.starts()) +
-                (worker.sandbox().empty() ? "" : ", sandbox " + worker.sandbox()) +
-                (worker.last_exit().empty() ? "" : "; the one before: " + worker.last_exit()));
-  report.line("backends: " + list(info.capabilities().backend()) + " (" +
-              std::to_string(info.capabilities().threads()) + " threads)");
+    print_wrapped(worker.backend() + " worker" +
+                      (worker.pid() ? " " + std::to_string(worker.pid()) : "") + ": " +
+                      worker.state() + ", start " + std::to_string(worker.starts()) +
+                      (worker.sandbox().empty() ? "" : ", sandbox " + worker.sandbox()) +
+                      (worker.last_exit().empty() ? "" : "; the one before: " + worker.last_exit()),
+                  report);
+  print_wrapped("backends: " + list(info.capabilities().backend()) + " (" +
+                    std::to_string(info.capabilities().threads()) + " threads)",
+                report);
   if (info.capabilities().has_gl()) print_gl(info.capabilities().gl(), report);
-  report.line("methods: " + list(info.capabilities().method()));
-  for (const v1::ModelInfo& model : info.capabilities().model()) {
+  print_wrapped("methods: " + list(info.capabilities().method()), report);
+}
+
+/// The models by kind, a line each.
+void print_model_names(const v1::Capabilities& capabilities, Report& report) {
+  std::vector<std::pair<std::string, std::string>> kinds;
+  for (const v1::ModelInfo& model : capabilities.model()) {
+    auto found = std::find_if(kinds.begin(), kinds.end(),
+                              [&](const auto& one) { return one.first == model.kind(); });
+    if (found == kinds.end()) found = kinds.insert(found, {model.kind(), ""});
+    found->second += (found->second.empty() ? "" : ", ") + model.name();
+  }
+  for (const auto& [kind, names] : kinds) print_wrapped(kind + ": " + names, report);
+}
+
+void print_models(const v1::Capabilities& capabilities, Report& report) {
+  for (const v1::ModelInfo& model : capabilities.model()) {
     report.line(model.kind() + " " + model.name() + ": " + model.citation());
-    for (const v1::ParameterInfo& parameter : model.parameter()) {
-      std::snprintf(text.data(), text.size(), " = %g, %g to %g", parameter.default_value(),
-                    parameter.min(), parameter.max());
-      report.line("  " + parameter.name() + text.data() +
+    for (const v1::ParameterInfo& parameter : model.parameter())
+      report.line("  " + parameter.name() +
+                  client::formatted(" = %g, %g to %g", parameter.default_value(), parameter.min(),
+                                    parameter.max()) +
                   (parameter.unit().empty() ? "" : " " + parameter.unit()) + ": " +
                   parameter.meaning());
-    }
   }
 }
 
-boost::asio::awaitable<ExitCode> ask_info(Session& session, Report& report) {
+/// What each has of what a scene may need.
+void print_features(const char* what,
+                    const google::protobuf::RepeatedPtrField<v1::FeatureSet>& sets,
+                    Report& report) {
+  for (const v1::FeatureSet& set : sets)
+    print_wrapped(
+        std::string(what) + " " + set.name() + ": " +
+            (set.feature().empty() ? "nothing that a scene has to ask for" : list(set.feature())),
+        report);
+}
+
+void print_info(const v1::Info& info, double ping, const InfoOptions& options, Report& report) {
+  const v1::Capabilities& capabilities = info.capabilities();
+  const bool some = options.models || options.methods;
+  if (!some) print_server(info, ping, report);
+  if (options.methods || options.all) {
+    print_features("backend", capabilities.backend_features(), report);
+    print_features("method", capabilities.method_features(), report);
+  }
+  if (options.models || options.all) print_models(capabilities, report);
+  if (some || options.all) return;
+  print_model_names(capabilities, report);
+  report.line("more: --models, --methods, --all");
+}
+
+boost::asio::awaitable<ExitCode> ask_info(Session& session, const InfoOptions& options,
+                                          Report& report) {
   const Answer<double> ping = co_await session.ping();
   if (!ping) co_return report.session_error(ping.error());
   const Answer<v1::Info> info = co_await session.info();
   if (!info) co_return report.session_error(info.error());
   report.document()["ping_seconds"] = *ping;
   report.document()["info"] = to_json(*info);
-  print_info(*info, *ping, report);
+  print_info(*info, *ping, options, report);
   co_return ExitCode::done;
 }
 
 ExitCode run(const InfoOptions& options) {
   Report report(options.common.json);
-  return report.finish(with_server(options.common, report,
-                                   [&](Session& session) { return ask_info(session, report); }));
+  return report.finish(with_server(options.common, report, [&](Session& session) {
+    return ask_info(session, options, report);
+  }));
 }
 
-void declare(InfoOptions& values, Options& options) { declare_common(values.common, options); }
+void declare(InfoOptions& values, Options& options) {
+  const auto add = [&](const char* name, bool& target, const char* meaning) {
+    options.push_back({.names = name, .target = &target, .meaning = meaning});
+  };
+  add("--models", values.models, "the models and their parameters, with where they are from");
+  add("--methods", values.methods, "what each backend and each method has");
+  add("--all", values.all, "all of that");
+  declare_common(values.common, options);
+}
 
 }  // namespace
 

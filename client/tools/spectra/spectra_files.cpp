@@ -41,7 +41,7 @@ Result<std::vector<LoadedSpectrum>> read_spectra(const std::string& name,
   std::vector<LoadedSpectrum> loaded;
   for (const NamedSpectrum& one : file->spectra) {
     const std::string label = printable(one.name.empty() ? name : name + ": " + one.name);
-    auto taken = interpret(*file, one.spectrum, choice.reading, choice.use);
+    auto taken = interpret(*file, one, choice.reading, choice.use);
     if (!taken) return problem(label + ": " + taken.error().message);
     loaded.push_back(
         {.label = label,
@@ -103,10 +103,21 @@ SpectrumResult<std::vector<LoadedSpectrum>> load_word(const SpectrumWord& word,
   if (!entry) return std::move(*found);
   std::vector<std::string> names;
   for (const LoadedSpectrum& one : *found) names.push_back(one.name);
-  std::erase_if(*found, [&](const LoadedSpectrum& one) { return one.name != *entry; });
-  if (!found->empty()) return std::move(*found);
+  std::vector<LoadedSpectrum> chosen;
+  for (const std::size_t i : entries_named(names, *entry)) chosen.push_back(std::move((*found)[i]));
+  if (!chosen.empty()) return chosen;
+  const std::string hint = did_you_mean(*entry, names);
   return bad_choice(metamer::quoted(file) + " has no spectrum named " + metamer::quoted(*entry) +
-                    did_you_mean(*entry, names));
+                    (hint.empty() ? "; it has " + entry_choices(names) : hint));
+}
+
+/// A word that means the first of a word's spectra.
+std::string first_choice(const std::string& word, const std::vector<LoadedSpectrum>& loaded) {
+  const std::string& name = loaded.front().name;
+  const auto alike = std::count_if(loaded.begin(), loaded.end(),
+                                   [&](const LoadedSpectrum& one) { return one.name == name; });
+  if (word.ends_with("#" + name)) return word + "#1";
+  return word + "#" + name + (alike > 1 ? "#1" : "");
 }
 
 /// Takes a file's samples for what they are; a table of the CIE's is as it is.
@@ -142,9 +153,11 @@ SpectrumResult<LoadedSpectrum> load_one(const std::string& word, const SpectrumC
   auto loaded = load_spectra({word}, choice);
   if (!loaded) return tl::unexpected(std::move(loaded.error()));
   if (loaded->size() == 1) return std::move(loaded->front());
+  std::vector<std::string> names;
+  for (const LoadedSpectrum& one : *loaded) names.push_back(one.name);
   return bad_choice(metamer::quoted(word) + " has " + std::to_string(loaded->size()) +
                     " spectra; choose one, such as " +
-                    metamer::quoted(word + "#" + loaded->front().name));
+                    metamer::quoted(first_choice(word, *loaded)) + ": " + entry_choices(names));
 }
 
 std::string emission_fault(const Spectrum& spectrum) {

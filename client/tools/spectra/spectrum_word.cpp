@@ -33,10 +33,10 @@ bool is_reading_word(const std::string& word) {
 /// FILE of FILE#ENTRY, where there is one.
 std::optional<std::string> file_of(const std::string& text) {
   if (is_there(text)) return text;
-  const std::size_t hash = text.rfind('#');
-  if (hash == std::string::npos || hash == 0) return std::nullopt;
-  const std::string file = text.substr(0, hash);
-  return is_there(file) ? std::optional(file) : std::nullopt;
+  for (std::size_t hash = text.rfind('#'); hash != std::string::npos && hash > 0;
+       hash = text.rfind('#', hash - 1))
+    if (const std::string file = text.substr(0, hash); is_there(file)) return file;
+  return std::nullopt;
 }
 
 /// Why the last word after @ does not count, where what stands before it is a file.

@@ -17,10 +17,9 @@ namespace {
 
 using Color = std::array<float, 3>;  ///< Encoded sRGB.
 
-constexpr const char* font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 constexpr Color ground = {0.10F, 0.10F, 0.10F}, ink = {0.92F, 0.92F, 0.92F}, red = {1, 0, 0};
 // Pixels. A legend needs some width to be read, however small the picture.
-constexpr int legend_height = 76, least_width = 420, margin = 14, bar_height = 14, letters = 13;
+constexpr int legend_height = 76, least_width = 420, margin = 14, bar_height = 14;
 
 /// D. A. Green, A colour scheme for the display of astronomical intensity images, Bulletin of the
 /// Astronomical Society of India 39, 289 (2011), with its usual parameters: from black to white,
@@ -82,14 +81,6 @@ class Canvas {
  private:
   Image image_;
 };
-
-/// What OpenImageIO 2.4 can draw: it takes other letters' bytes apart wrongly.
-std::string ascii(std::string_view words) {
-  std::string text;
-  for (const char c : words)
-    if ((c & 0xC0) != 0x80) text += c >= 0x20 && c < 0x7F ? c : '?';  // one mark a letter
-  return text;
-}
 
 /// As name_of, in ASCII.
 const char* plain_name_of(Metric metric) {

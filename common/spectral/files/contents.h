@@ -15,6 +15,7 @@ struct RawSpectrum {
   std::string name = {};
   std::vector<double> at = {}, values = {};  ///< As many, at least one.
   Token begin = {};                          ///< Where it begins, for errors.
+  std::size_t blank = 0;                     ///< Cells that say nothing, which it has no sample of.
 };
 
 /// What one of the readers found.
@@ -24,6 +25,7 @@ struct Contents {
   std::optional<Quantity> quantity = {};
   std::optional<Scale> scale = {};
   std::vector<RawSpectrum> spectra = {};
+  std::vector<std::string> notes = {};  ///< What was guessed of all of it.
 };
 
 /// What is wrong with a wavelength after those `before` it, which rise or fall. Nothing: it is

@@ -52,6 +52,15 @@ std::string with_lf(const std::string& text) {
   return lines;
 }
 
+/// Blanks that programs put where they want no new line, or between thousands: no-break space,
+/// thin, figure and narrow no-break space.
+std::string with_plain_blanks(std::string text) {
+  for (const std::string_view blank : {"\xC2\xA0", "\xE2\x80\x87", "\xE2\x80\x89", "\xE2\x80\xAF"})
+    for (std::size_t at = text.find(blank); at != std::string::npos; at = text.find(blank, at + 1))
+      text.replace(at, blank.size(), " ");
+  return text;
+}
+
 tl::unexpected<Problem> no_text(const std::string& file, std::string message) {
   return tl::unexpected<Problem>({.field = {}, .file = file, .message = std::move(message)});
 }
@@ -70,7 +79,7 @@ Result<std::string> utf8_text(std::string_view bytes, const std::string& file) {
   if (!text) return no_text(file, "the file's text can't be read");
   if (text->find('\0') != std::string::npos)
     return no_text(file, "the file is no text: it has a NUL byte");
-  return with_lf(*text);
+  return with_plain_blanks(with_lf(*text));
 }
 
 }  // namespace metamer

@@ -94,9 +94,14 @@ std::string quantity_text(Quantity quantity) {
   return {};
 }
 
-Result<Interpreted> interpret(const SpectrumFile& file, Spectrum spectrum, const Reading& reading,
+Result<Interpreted> interpret(const SpectrumFile& file, NamedSpectrum one, const Reading& reading,
                               Use use) {
-  Interpreted result{.spectrum = std::move(spectrum), .quantity = Quantity::reflectance};
+  Interpreted result{.spectrum = std::move(one.spectrum), .quantity = Quantity::reflectance};
+  result.notes = file.notes;
+  if (one.blank > 0)
+    result.notes.push_back(std::to_string(one.blank) +
+                           (one.blank == 1 ? " cell is" : " cells are") +
+                           " blank: there are no samples at these wavelengths");
   // What it is.
   const std::optional<Quantity> said = reading.as ? reading.as : file.quantity;
   if (said && use != Use::any && is_property(*said) != (use == Use::property))

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/spectral/files/spectrum_file.h"
@@ -31,8 +32,13 @@ struct Interpreted {
 /// emission. A property in a file that reaches above 5 without a word is in percents, which is
 /// noted too. Errors, for a use: another quantity by the file's words; an emission below 0; a
 /// property outside 0..1.
-Result<Interpreted> interpret(const SpectrumFile& file, Spectrum spectrum, const Reading& reading,
+Result<Interpreted> interpret(const SpectrumFile& file, NamedSpectrum one, const Reading& reading,
                               Use use);
+
+inline Result<Interpreted> interpret(const SpectrumFile& file, Spectrum spectrum,
+                                     const Reading& reading, Use use) {
+  return interpret(file, NamedSpectrum{{}, std::move(spectrum)}, reading, use);
+}
 
 /// "reflectance": for people.
 std::string quantity_text(Quantity quantity);

@@ -57,6 +57,17 @@ bool has_any(std::string_view heading, std::initializer_list<std::string_view> w
                      [&](std::string_view word) { return text.find(word) != std::string::npos; });
 }
 
+/// "r[400 nm]" as "r400 nm": brackets around a number that ends the label.
+std::string without_brackets(std::string text) {
+  const std::size_t open = text.find_last_of("[(");
+  const bool closed = text.ends_with(']') || text.ends_with(')');
+  if (!closed || open == std::string::npos || open + 1 >= text.size()) return text;
+  const char first = text[text.find_first_not_of(blanks, open + 1)];
+  if (first < '0' || first > '9') return text;
+  text.pop_back();
+  return text.erase(open, 1);
+}
+
 }  // namespace
 
 std::string lower(std::string_view text) {
@@ -67,7 +78,7 @@ std::string lower(std::string_view text) {
 }
 
 std::optional<Labelled> labelled_wavelength(std::string_view label, char decimal) {
-  const std::string text = lower(label);
+  const std::string text = without_brackets(lower(label));
   std::string_view rest = text;
   trim(rest);
   std::optional<WavelengthUnit> unit = take_unit(rest);
@@ -76,13 +87,15 @@ std::optional<Labelled> labelled_wavelength(std::string_view label, char decimal
   const std::size_t digit = std::min(rest.find_first_of(".0123456789"), rest.size());
   std::string_view before = rest.substr(0, digit);
   trim(before);
-  static constexpr std::array<std::string_view, 8> known = {
-      "spec_", "spectral_nm", "spectral_nm_", "nm", "nm_", "r_", "wl", "wl_"};
+  static constexpr std::array<std::string_view, 10> known = {
+      "spec_", "spec", "spectral_nm", "spectral_nm_", "nm", "nm_", "r_", "t_", "wl", "wl_"};
   const bool is_known = std::find(known.begin(), known.end(), before) != known.end();
-  if (!unit && !is_known) return std::nullopt;
+  // R400 is a reflectance; R1 to R15 are the indices of colour rendering.
+  const bool is_letter = before == "r" || before == "t" || before == "rho" || before == "λ";
+  if (!unit && !is_known && !is_letter) return std::nullopt;
   if (!unit && before.find("nm") != std::string_view::npos) unit = WavelengthUnit::nm;
   const auto value = plain_number(std::string(rest.substr(digit)), decimal);
-  if (!value) return std::nullopt;
+  if (!value || (!unit && is_letter && *value < 100)) return std::nullopt;
   return Labelled{*value, unit};
 }
 

@@ -16,9 +16,9 @@ struct Labelled {
 };
 
 /// The wavelength of a column or a row that is called after it: "SPEC_380", "SPECTRAL_NM380",
-/// "SPECTRAL_NM_380", "nm380", "NM_380", "R_380", "380nm", "380 [nm]", "Spectral Data 380[nm]",
-/// "0.38 µm", in any case. A mere number is none; 0 is one that a name was rounded to. `decimal` is
-/// its decimal sign.
+/// "SPECTRAL_NM_380", "nm380", "NM_380", "R_380", "R380", "R[380nm]", "380nm", "380 [nm]",
+/// "Spectral Data 380[nm]", "0.38 µm", in any case. A mere number is none; 0 is one that a name was
+/// rounded to. `decimal` is its decimal sign.
 std::optional<Labelled> labelled_wavelength(std::string_view label, char decimal = '.');
 
 /// "[nm]", "Wavelength (µm)", "lambda / um", "microns": the unit that a heading gives.

@@ -1,8 +1,10 @@
 #include "common/spectral/files/observer_file.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
+#include "common/spectral/files/labels.h"
 #include "common/spectral/files/spectrum_file.h"
 
 namespace metamer {
@@ -21,6 +23,22 @@ std::array<std::size_t, 3> places_of(const std::vector<NamedSpectrum>& spectra) 
   return places;
 }
 
+/// What spectra are by the first letters of their names, where they are another three. Empty: they
+/// are not.
+std::string other_three(const std::vector<NamedSpectrum>& spectra) {
+  std::string letters;
+  for (const NamedSpectrum& one : spectra)
+    letters += one.name.empty() ? ' ' : spectrum_text::lower(one.name).front();
+  std::sort(letters.begin(), letters.end());
+  if (letters == "lms")
+    return "its columns are l, m and s, cone fundamentals: x, y and z are sums of them (CIE 170-2)";
+  if (letters == "bgr")
+    return "its columns are r, g and b, colour matching functions of primaries: x, y and z are "
+           "sums "
+           "of them";
+  return {};
+}
+
 }  // namespace
 
 Result<Observer> parse_observer(std::string_view bytes, const std::string& file) {
@@ -32,6 +50,8 @@ Result<Observer> parse_observer(std::string_view bytes, const std::string& file)
   if (spectra->size() != 3)
     return failed("is no observer: that has three spectra, x, y and z, and not " +
                   std::to_string(spectra->size()));
+  if (const std::string other = other_three(*spectra); !other.empty())
+    return failed("is no observer: " + other);
   Observer::Functions tables;
   const std::array<std::size_t, 3> places = places_of(*spectra);
   for (std::size_t i = 0; i < 3; ++i) tables[i] = std::move((*spectra)[places[i]].spectrum);

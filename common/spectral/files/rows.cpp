@@ -45,6 +45,37 @@ std::size_t end_of_cell(std::string_view line, std::size_t begin, char delimiter
   return line.size();
 }
 
+/// A number without the signs between its thousands: "1 002.5", "1'002.5", "1.002,5" (where , is
+/// the decimal sign and there) or "1,002.5". What may be anything else stays: "1.002" with decimal
+/// commas.
+std::string without_groups(std::string_view cell, char decimal) {
+  const std::string text(cell);
+  const char other = decimal == ',' ? '.' : ',';
+  static constexpr std::string_view apostrophe = "\xE2\x80\x99";  // U+2019
+  for (const std::string_view group :
+       {std::string_view(" "), std::string_view("'"), apostrophe, std::string_view(&other, 1)}) {
+    const std::size_t first = text.find(group);
+    const std::size_t fraction = std::min(text.find(decimal), text.size());
+    if (first == std::string::npos) continue;
+    if (group[0] == other && fraction == text.size()) return text;
+    std::string plain = text.substr(0, first);
+    std::size_t at = first;
+    while (at < fraction && text.compare(at, group.size(), group) == 0) {
+      plain += text.substr(at + group.size(), 3);
+      at += group.size() + 3;
+    }
+    const std::size_t sign = plain.find_first_of("+-") == 0 ? 1 : 0;
+    const auto digits = [](std::string_view part) {
+      return !part.empty() && part.find_first_not_of("0123456789") == std::string_view::npos;
+    };
+    const bool sound = first > sign && first <= sign + 3 && plain[sign] != '0' &&
+                       digits(std::string_view(plain).substr(sign)) &&
+                       (at == text.size() || text[at] == decimal || text[at] == '%');
+    return sound ? plain + text.substr(std::min(at, text.size())) : text;
+  }
+  return text;
+}
+
 }  // namespace
 
 bool is_row(const Row& row, const Dialect& dialect) {
@@ -68,8 +99,14 @@ Row cut(std::string_view line, int number, const Dialect& dialect) {
   }
 }
 
+bool is_percent(const Token& cell) { return cell.text.size() > 1 && cell.text.ends_with('%'); }
+
 std::optional<double> number_in(const Token& cell, const Dialect& dialect) {
-  std::string text(cell.text);
+  std::string text = without_groups(cell.text, dialect.decimal);
+  if (is_percent(cell)) {
+    text.pop_back();
+    while (!text.empty() && is_blank(text.back())) text.pop_back();
+  }
   if (dialect.decimal == ',') {
     if (text.find('.') != std::string::npos) return std::nullopt;
     std::replace(text.begin(), text.end(), ',', '.');
@@ -120,6 +157,17 @@ Dialect dialect_of(const Lines& lines) {
 
 tl::unexpected<Problem> no_number(const std::string& file, const Token& cell,
                                   const Dialect& dialect) {
+  const auto has = [&](const char* signs) {
+    return cell.text.find_first_of(signs) != std::string_view::npos;
+  };
+  const bool digits = cell.text.find_first_not_of("0123456789.,' +-") == std::string_view::npos;
+  const bool points = std::count(cell.text.begin(), cell.text.end(), '.') == 1;
+  const bool grouped = has(" '") || (has(".") && has(",")) || (dialect.decimal == ',' && points);
+  if (digits && grouped)
+    return problem_at(file, cell,
+                      quoted(cell.text) +
+                          " is not a number: its decimal sign or what parts its "
+                          "thousands can't be told");
   if (dialect.decimal == '.')
     if (auto number = parse_number(file, cell); !number)
       return tl::unexpected(std::move(number.error()));

@@ -25,7 +25,10 @@ using Row = std::vector<Token>;
 /// Cuts a line. A cell that begins with a quote ends with one.
 Row cut(std::string_view line, int number, const Dialect& dialect);
 
-/// The finite number of a cell.
+/// A number with a % behind it.
+bool is_percent(const Token& cell);
+
+/// The finite number of a cell: what it has before a %, without what parts its thousands.
 std::optional<double> number_in(const Token& cell, const Dialect& dialect);
 
 /// The wavelength that a row's first cell says: a number, or one with a label.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <numeric>
 
 #include "common/spectral/files/cgats.h"
 #include "common/spectral/files/contents.h"
@@ -123,15 +125,31 @@ Result<NamedSpectrum> by_nm(RawSpectrum raw, std::optional<WavelengthUnit> unit,
                         "a wavelength of " + number_text(at) + " nm is none that anybody measures");
   auto spectrum = make_spectrum(std::move(raw.at), std::move(raw.values));
   if (!spectrum) return problem_at(file, raw.begin, spectrum.error().message);
-  return NamedSpectrum{std::move(raw.name), std::move(*spectrum)};
+  return NamedSpectrum{std::move(raw.name), std::move(*spectrum), raw.blank};
 }
 
-std::vector<std::string> names_of(const std::vector<NamedSpectrum>& spectra) {
-  std::vector<std::string> names;
-  for (const NamedSpectrum& spectrum : spectra) {
-    if (!spectrum.name.empty()) names.push_back(spectrum.name);
-  }
-  return names;
+/// How an entry may be called, that is told from all others.
+std::string entry_name(const std::vector<std::string>& names, std::size_t i) {
+  const auto end = names.begin() + static_cast<std::ptrdiff_t>(i);
+  if (names[i].empty()) return "#" + std::to_string(i + 1);
+  if (std::count(names.begin(), names.end(), names[i]) == 1) return names[i];
+  return names[i] + "#" + std::to_string(std::count(names.begin(), end, names[i]) + 1);
+}
+
+/// Those of these, as many as one reads.
+std::string choices_text(const std::vector<std::string>& names,
+                         const std::vector<std::size_t>& entries) {
+  constexpr std::size_t shown = 12;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(entries.size(), shown); ++i)
+    text += (i == 0 ? "" : ", ") + quoted(entry_name(names, entries[i]));
+  return text + (entries.size() > shown ? ", …" : "");
+}
+
+std::vector<std::size_t> all_of(const std::vector<std::string>& names) {
+  std::vector<std::size_t> all(names.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
 }
 
 }  // namespace
@@ -154,6 +172,7 @@ Result<SpectrumFile> read_spectrum_file(std::string_view bytes, const std::strin
         {.field = {}, .file = file, .message = "the file has wavelengths, but no values"});
   SpectrumFile result{
       .format = contents->format, .quantity = contents->quantity, .scale = contents->scale};
+  result.notes = std::move(contents->notes);
   for (RawSpectrum& raw : contents->spectra) {
     auto named = by_nm(std::move(raw), unit ? unit : contents->unit, file);
     if (!named) return tl::unexpected(std::move(named.error()));
@@ -170,28 +189,52 @@ Result<std::vector<NamedSpectrum>> parse_spectra(std::string_view bytes, const s
   });
 }
 
-Result<Spectrum> select_entry(std::vector<NamedSpectrum> spectra, const std::string& entry) {
+std::vector<std::size_t> entries_named(const std::vector<std::string>& names,
+                                       std::string_view entry) {
+  const auto all_named = [&](std::string_view name) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (names[i] == name) found.push_back(i);
+    return found;
+  };
+  std::vector<std::size_t> found = all_named(entry);
+  const std::size_t hash = entry.rfind('#');
+  if (!found.empty() || hash == std::string_view::npos) return found;
+
+  // Take it for a number among those of a name, or among all.
+  std::size_t number = 0;
+  const char* const last = entry.data() + entry.size();
+  const auto [end, error] = std::from_chars(entry.data() + hash + 1, last, number);
+  if (error != std::errc() || end != last) return {};
+  if (hash > 0) found = all_named(entry.substr(0, hash));
+  if (hash == 0) found = all_of(names);
+  if (number < 1 || number > found.size()) return {};
+  return {found[number - 1]};
+}
+
+std::string entry_choices(const std::vector<std::string>& names) {
+  return choices_text(names, all_of(names));
+}
+
+Result<NamedSpectrum> select_entry(std::vector<NamedSpectrum> spectra, const std::string& entry) {
+  std::vector<std::string> names;
+  for (const NamedSpectrum& spectrum : spectra) names.push_back(spectrum.name);
   // Without a name there must be no choice.
   if (entry.empty()) {
-    if (spectra.size() == 1) return std::move(spectra.front().spectrum);
-    const std::vector<std::string> names = names_of(spectra);
+    if (spectra.size() == 1) return std::move(spectra.front());
     return problem("the file has " + std::to_string(spectra.size()) +
-                   " spectra; name one with entry" +
-                   (names.empty() ? "" : ", say " + quoted(names.front())));
+                   " spectra; name one with entry: " + entry_choices(names));
   }
 
   // A name must be one spectrum's alone.
-  const auto has_name = [&](const NamedSpectrum& spectrum) { return spectrum.name == entry; };
-  const auto found = std::find_if(spectra.begin(), spectra.end(), has_name);
-  if (found == spectra.end()) {
-    const std::vector<std::string> names = names_of(spectra);
-    return problem("the file has no entry " + quoted(entry) +
-                   (names.empty() ? "; its spectra have no names" : did_you_mean(entry, names)));
-  }
-  if (std::count_if(spectra.begin(), spectra.end(), has_name) > 1) {
-    return problem("the file has several entries " + quoted(entry));
-  }
-  return std::move(found->spectrum);
+  const std::vector<std::size_t> found = entries_named(names, entry);
+  if (found.size() > 1)
+    return problem("the file has several entries " + quoted(entry) +
+                   "; choose one: " + choices_text(names, found));
+  if (!found.empty()) return std::move(spectra[found.front()]);
+  const std::string hint = did_you_mean(entry, names);
+  return problem("the file has no entry " + quoted(entry) +
+                 (hint.empty() ? "; it has " + entry_choices(names) : hint));
 }
 
 }  // namespace metamer

@@ -14,6 +14,7 @@ namespace metamer {
 struct NamedSpectrum {
   std::string name;
   Spectrum spectrum;
+  std::size_t blank = 0;  ///< Cells of a file that say nothing, which it has no sample of.
 };
 
 /// What the values of a spectrum are.
@@ -31,6 +32,7 @@ struct SpectrumFile {
   std::optional<Scale> scale = {};          ///< The same; values are as written there.
   std::vector<NamedSpectrum> spectra = {};  ///< At least one; nm, rising.
   double largest = 0;                       ///< Of all their values.
+  std::vector<std::string> notes = {};      ///< What was guessed of all of it, a sentence each.
 };
 
 /// Reads any of the formats, told apart by their content:
@@ -58,9 +60,18 @@ inline constexpr std::size_t max_spectrum_file = 16u << 20;  ///< 4,001 samples 
 /// size.
 inline constexpr std::size_t max_spectra = 4096;
 
-/// The one named `entry`, or the only one when `entry` is empty. Errors: no such entry (with "did
-/// you mean"), several of that name, or several and no entry named. They have no place in a file
-/// yet.
-Result<Spectrum> select_entry(std::vector<NamedSpectrum> spectra, const std::string& entry);
+/// Which of the spectra of these names an entry means: all of that name; where none is called so,
+/// the second of a name by "NAME#2", the second of all by "#2".
+std::vector<std::size_t> entries_named(const std::vector<std::string>& names,
+                                       std::string_view entry);
+
+/// How entries may be called so that each is told from all others, as many as one reads: "red#1",
+/// "red#2", "blue".
+std::string entry_choices(const std::vector<std::string>& names);
+
+/// The one that `entry` means, or the only one when `entry` is empty. Errors: no such entry (with
+/// "did you mean"), several of that name, or several and no entry named. They have no place in a
+/// file yet.
+Result<NamedSpectrum> select_entry(std::vector<NamedSpectrum> spectra, const std::string& entry);
 
 }  // namespace metamer

@@ -1,6 +1,7 @@
 #include "common/spectral/files/tall_table.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "common/spectral/wavelengths.h"
 
@@ -21,7 +22,9 @@ class Tall {
   bool find_first_row();
   Done read_headings();
   Done check_headings() const;
-  void share_scale();
+  Done check_commas() const;
+  Done share_scale();
+  void note_whole_numbers();
   void begin_block(double position);
   Done read_row(const Row& row);
   Done read_rows();
@@ -37,6 +40,7 @@ class Tall {
   std::size_t position_ = 0;   ///< The column of the wavelengths.
   /// Rows are called after their wavelengths, among other rows: a spectrometer for lamps.
   bool labelled_ = false;
+  std::vector<std::size_t> percent_cells_;  ///< Of each spectrum: numbers with a % behind.
   std::vector<RawSpectrum> longer_;  ///< Of several blocks of labelled rows, the longest so far.
   Contents contents_;
 };
@@ -97,16 +101,66 @@ Tall::Done Tall::check_headings() const {
 }
 
 /// Where one column is in percents, all are: what does not say so is relative to 1 until here.
-void Tall::share_scale() {
+Tall::Done Tall::share_scale() {
   std::vector<bool> percent(contents_.spectra.size(), says_percent_above(lines_, first_));
   for (const Row& heading : headings_)
     for (std::size_t c = position_ + 1; c < heading.size(); ++c)
       if (says_percent(heading[c].text)) percent[c - position_ - 1] = true;
-  if (std::find(percent.begin(), percent.end(), true) == percent.end()) return;
+  for (std::size_t c = 0; c < percent.size(); ++c) {
+    if (percent_cells_[c] == 0) continue;
+    if (percent_cells_[c] != contents_.spectra[c].values.size())
+      return problem_at(file_, first_row_.front(),
+                        "some numbers of column " + std::to_string(position_ + 2 + c) +
+                            " have a % behind them, and others have none");
+    percent[c] = true;
+  }
+  if (std::find(percent.begin(), percent.end(), true) == percent.end()) return {};
   contents_.scale = Scale::percent;
   for (std::size_t c = 0; c < percent.size(); ++c)
     if (!percent[c])
       for (double& value : contents_.spectra[c].values) value *= 100;
+  return {};
+}
+
+/// Commas in a table without headings may be decimal ones where all numbers are whole.
+void Tall::note_whole_numbers() {
+  const std::size_t columns = contents_.spectra.size();
+  if (dialect_.delimiter != ',' || columns % 2 == 1 || !headings_.empty()) return;
+  for (const RawSpectrum& spectrum : contents_.spectra)
+    for (const double value : spectrum.values)
+      if (value != std::floor(value)) return;
+  contents_.notes.push_back("read as " + std::to_string(columns) +
+                            " columns of whole numbers; with decimal commas it would be " +
+                            std::to_string(columns / 2) + ", parted by semicolons or tabs");
+}
+
+/// Numbers with decimal commas, or commas between thousands, in a table of commas: "400,0,1002" is
+/// cut into three cells. Error: what can be nothing else.
+Tall::Done Tall::check_commas() const {
+  if (dialect_.delimiter != ',' || dialect_.decimal != '.' || first_row_.size() < 3) return {};
+  bool all_zero = first_row_.size() % 2 == 1, padded = false;
+  for (std::size_t i = first_; i < lines_.all().size(); ++i) {
+    const Lines::Line& line = lines_.all()[i];
+    const Row row = line.comment ? Row{} : cut(line.text, line.number, dialect_);
+    if (!is_row(row, dialect_)) continue;
+    for (std::size_t c = 1; c < row.size(); ++c) {
+      const std::string_view text = row[c].text;
+      all_zero = all_zero && (c % 2 == 0 ? text.find('.') == std::string_view::npos : text == "0");
+      padded |= text.size() > 1 && text[0] == '0' && text[1] >= '0' && text[1] <= '9';
+    }
+  }
+  // A heading of half as many cells says it too.
+  const std::size_t cells = (first_row_.size() + 1) / 2;
+  bool half = false;
+  if (first_ > 0 && first_row_.size() % 2 == 1) {
+    const Lines::Line& above = lines_.all()[first_ - 1];
+    const Row heading = cut(above.text, above.number, dialect_);
+    half = !above.comment && heading.size() == cells && cells >= 2;
+  }
+  if (!all_zero && !padded && !half) return {};
+  return problem_at(file_, first_row_[1],
+                    "commas part both cells and the digits of numbers; part cells by semicolons or "
+                    "tabs, or put numbers into quotes");
 }
 
 /// Sekonic's exports have the same lamp twice, by 5 and by 1 nm: the finer one is kept.
@@ -129,7 +183,11 @@ Tall::Done Tall::read_row(const Row& row) {
   if (labelled_) begin_block(position->value);
   for (std::size_t c = position_ + 1; c < row.size(); ++c) {
     RawSpectrum& spectrum = contents_.spectra[c - position_ - 1];
-    if (row[c].text.empty()) continue;
+    if (row[c].text.empty()) {
+      ++spectrum.blank;
+      continue;
+    }
+    if (is_percent(row[c])) ++percent_cells_[c - position_ - 1];
     if (spectrum.at.size() == Wavelengths::max_count)
       return problem_at(
           file_, row.front(),
@@ -202,12 +260,15 @@ Result<Contents> Tall::read() {
                       "at most " + std::to_string(max_cells) + " columns are possible");
   if (Done done = read_headings(); !done) return tl::unexpected(std::move(done.error()));
   labelled_ = !number_in(first_row_[position_], dialect_);
+  if (Done done = check_commas(); !done) return tl::unexpected(std::move(done.error()));
   contents_.spectra.resize(first_row_.size() - position_ - 1);
+  percent_cells_.resize(contents_.spectra.size());
   for (RawSpectrum& spectrum : contents_.spectra) spectrum.begin = first_row_.front();
   if (Done done = read_rows(); !done) return tl::unexpected(std::move(done.error()));
   if (longer_.size() > 0 && longer_.front().at.size() > contents_.spectra.front().at.size())
     contents_.spectra = std::move(longer_);
-  share_scale();
+  if (Done done = share_scale(); !done) return tl::unexpected(std::move(done.error()));
+  note_whole_numbers();
 
   // Name them where there are several; columns without a value are none.
   std::vector<RawSpectrum> spectra;

@@ -14,7 +14,7 @@ Wide spectral_columns(const Row& row, const Dialect& dialect) {
   for (std::size_t c = 0; c < row.size() && row.size() <= max_cells; ++c) {
     auto label = labelled_wavelength(row[c].text, dialect.decimal);
     const auto number = number_in(row[c], dialect);
-    if (!label && number && *number >= 100) label = Labelled{*number, {}};
+    if (!label && number && *number >= 100 && !is_percent(row[c])) label = Labelled{*number, {}};
     words |= !number;
     if (!label) continue;
     if (wrong_next(found.at, label->value)) return {};
@@ -93,7 +93,11 @@ Result<Contents> read_wide(const Lines& lines, const Wide& wide, const std::stri
     if (names) spectrum.name = row[*names].text;
     for (std::size_t k = 0; k < wide.columns.size(); ++k) {
       const Token& cell = row[wide.columns[k]];
-      if (cell.text.empty()) continue;
+      if (cell.text.empty()) {
+        ++spectrum.blank;
+        continue;
+      }
+      if (is_percent(cell)) contents.scale = Scale::percent;
       const auto value = number_in(cell, wide.dialect);
       if (!value) return no_number(file, cell, wide.dialect);
       spectrum.at.push_back(wide.at[k]);

@@ -1,8 +1,10 @@
 // `metamer spectra compare`, and what the commands of spectra say of files as people have them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
+#include "common/scene/files.h"
 #include "tests/client/cli/said.h"
 #include "tests/client/tools/temporary_folder.h"
 
@@ -20,7 +22,7 @@ TEST(SpectraCompare, NamesThePaintThatMatches) {
   const std::string sample = folder.write("sample.txt", "400 0.2\n500 0.31\n600 0.4\n700 0.5\n");
   const std::string swatches = folder.file("swatches.png");
   const Said said = say({"spectra", "compare", sample, fabrics, "--under", "D65,2856K,D:5003K,F11",
-                         "-o", swatches, "--json"});
+                         "-o", swatches, "-o", folder.file("table.csv"), "--json"});
   ASSERT_EQ(said.code, ExitCode::done) << said.err;
   const Json answer = said.json();
   ASSERT_EQ(answer["candidates"].size(), 2U);
@@ -30,6 +32,10 @@ TEST(SpectraCompare, NamesThePaintThatMatches) {
   EXPECT_GT(answer["candidates"][1]["worst"]["de00"].get<double>(), 10);
   EXPECT_NEAR(answer["candidates"][1]["under"][0]["metamerism_de00"].get<double>(), 0, 1e-9);
   EXPECT_TRUE(std::filesystem::exists(swatches));
+  const auto table = read_file(folder.file("table.csv"), 1 << 20);
+  ASSERT_TRUE(table);
+  EXPECT_EQ(std::count(table->begin(), table->end(), '\n'), 1 + 2 * 4);
+  EXPECT_EQ(table->substr(0, 20), "candidate,light,de00");
 
   EXPECT_EQ(say({"spectra", "compare", sample, fabrics, "--max", "3"}).code, ExitCode::done);
   const Said over = say({"spectra", "compare", sample, fabrics, "--max", "0.01"});

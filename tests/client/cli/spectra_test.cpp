@@ -306,7 +306,8 @@ TEST_F(Spectra, OneOfSeveralIsChosenByItsName) {
   words.insert(words.end(), {"--entry", "blue"});
   EXPECT_EQ(say(words).out, "400 1\n700 0\n");
   words.back() = "green";
-  EXPECT_EQ(say(words).err, "error: \"" + both + "\" has no spectrum named \"green\"\n");
+  EXPECT_EQ(say(words).err,
+            "error: \"" + both + "\" has no spectrum named \"green\"; it has \"red\", \"blue\"\n");
 }
 
 }  // namespace

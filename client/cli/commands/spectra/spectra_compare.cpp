@@ -4,8 +4,10 @@
 
 #include "client/cli/commands.h"
 #include "client/cli/commands/spectra/spectra_input.h"
+#include "client/cli/output/gnuplot.h"
 #include "client/tools/pictures/swatches.h"
 #include "client/tools/spectra/paint_match.h"
+#include "client/tools/text/csv.h"
 #include "client/tools/text/formatted.h"
 
 namespace metamer::cli {
@@ -17,9 +19,11 @@ using client::PaintMatch;
 struct MatchOptions {
   SpectraOptions input;
   std::vector<std::string> lights = {"D65", "A", "F11"};
-  std::optional<double> max;  ///< A nearest candidate that is farther is a failure.
-  std::string output;         ///< A .png; empty: none.
+  std::optional<double> max;         ///< A nearest candidate that is farther is a failure.
+  std::vector<std::string> outputs;  ///< A .png of swatches, a .csv of the table.
 };
+
+bool is_csv(const std::string& file) { return std::filesystem::path(file).extension() == ".csv"; }
 
 /// What is compared; nothing where something can't be read, which is said.
 struct Paints {
@@ -93,15 +97,35 @@ void print_table(const std::vector<PaintMatch>& matches, Report& report) {
   }
 }
 
-ExitCode write_swatches(const std::vector<PaintMatch>& matches, const std::string& file,
-                        Report& report) {
-  const auto written = write_image(client::swatches(matches), file, false, {});
-  if (!written) {
-    report.problem(written.error(), {});
-    return ExitCode::other;
+/// A line for each candidate under each light.
+std::string csv_of(const std::vector<PaintMatch>& matches) {
+  std::string text = "candidate,light,de00,deab,metamerism_de00,metamerism_deab\n";
+  for (const PaintMatch& match : matches)
+    for (std::size_t i = 0; i < match.under.size(); ++i)
+      text += client::csv_field(match.name) + "," + client::csv_field(match.under[i].light) +
+              formatted(",%.6g,%.6g,%.6g,%.6g\n", match.under[i].de00, match.under[i].deab,
+                        match.index[i].de00, match.index[i].deab);
+  return text;
+}
+
+Result<void> write_match(const std::vector<PaintMatch>& matches, const std::string& file) {
+  if (is_csv(file)) return write_text_file(file, csv_of(matches));
+  return client::swatches(matches).and_then([&](const Image& image) -> Result<void> {
+    const auto written = write_image(image, file, false, {});
+    return written ? Result<void>() : tl::unexpected(written.error());
+  });
+}
+
+ExitCode write_matches(const std::vector<PaintMatch>& matches,
+                       const std::vector<std::string>& files, Report& report) {
+  for (const std::string& file : files) {
+    if (const auto written = write_match(matches, file); !written) {
+      report.problem(written.error(), {});
+      return ExitCode::other;
+    }
+    report.document()["files"].push_back(file);
+    report.line(file);
   }
-  report.document()["files"].push_back(file);
-  report.line(file);
   return ExitCode::done;
 }
 
@@ -126,10 +150,8 @@ ExitCode match(const MatchOptions& options, Report& report) {
   report.line(formatted("%s is nearest to %s: at most dE00 %.2f, under %s", best.name.c_str(),
                         paints->reference.label.c_str(), best.worst_de00(),
                         best.under[best.worst].light.c_str()));
-  if (!options.output.empty()) {
-    const ExitCode written = write_swatches(*matches, options.output, report);
-    if (written != ExitCode::done) return written;
-  }
+  const ExitCode written = write_matches(*matches, options.outputs, report);
+  if (written != ExitCode::done) return written;
   if (!options.max || best.worst_de00() <= *options.max) return ExitCode::done;
   report.error(formatted("none keeps to dE00 %g", *options.max));
   return ExitCode::other;
@@ -139,9 +161,9 @@ ExitCode run(const MatchOptions& options) {
   Report report(options.input.json);
   if (options.input.files.size() < 2)
     return refuse("a reference and a candidate are needed", report);
-  const std::string& file = options.output;
-  if (!file.empty() && std::filesystem::path(file).extension() != ".png")
-    return refuse("--output: " + quoted(file) + " does not end in .png", report);
+  for (const std::string& file : options.outputs)
+    if (!is_csv(file) && std::filesystem::path(file).extension() != ".png")
+      return refuse("--output: " + quoted(file) + " ends neither in .png nor in .csv", report);
   return report.finish(match(options, report));
 }
 
@@ -161,9 +183,9 @@ void declare(MatchOptions& values, Options& options) {
                      .meaning = "exit with 1 where the nearest differs by more ΔE00 under a light",
                      .sign = Option::Sign::not_negative});
   options.push_back({.names = "-o,--output",
-                     .target = &values.output,
+                     .target = &values.outputs,
                      .meaning = "a .png of swatches: lights across, candidates down, the reference "
-                                "at the left of each"});
+                                "at the left of each; or a .csv; may be given several times"});
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "client/tools/pictures/swatches.h"
 #include "common/spectral/cie.h"
 
@@ -40,19 +42,41 @@ TEST(Swatches, HaveTheReferenceAtTheLeft) {
   const auto matches = match_paints(grey, {{"black", black}, {"grey", grey}},
                                     lights_of_day_and_shop(), cie::observer_1931());
   ASSERT_TRUE(matches);
-  const Image image = swatches(*matches);
-  constexpr int pitch = swatch_size + swatch_gap, half = swatch_size / 2;
-  EXPECT_EQ(image.width, 2 * pitch + swatch_gap);
-  EXPECT_EQ(image.height, 2 * pitch + swatch_gap);
+  const auto drawn = swatches(*matches);
+  ASSERT_TRUE(drawn) << drawn.error().message;
+  const Image& image = *drawn;
+  constexpr int column = swatch_size + swatch_gap, half = swatch_size / 2;
+  constexpr int row = column + swatch_text, top = swatch_text + swatch_gap;
+  EXPECT_EQ(image.width, swatch_names + 2 * column + swatch_gap);
+  EXPECT_EQ(image.height, swatch_text + 2 * row + swatch_gap);
   EXPECT_NEAR(image.at(0, 0)[1], 0.2, 1e-6) << "the ground";
-  for (const int left : {swatch_gap, swatch_gap + pitch}) {
-    EXPECT_NEAR(image.at(left, swatch_gap)[1], 0.5, 1e-6);
-    EXPECT_EQ(image.at(left + half, swatch_gap)[1], 0);
-    EXPECT_NEAR(image.at(left + half, swatch_gap + pitch)[1], 0.5, 1e-6);
+  for (const int left : {swatch_names, swatch_names + column}) {
+    EXPECT_NEAR(image.at(left, top)[1], 0.5, 1e-6);
+    EXPECT_EQ(image.at(left + half, top)[1], 0);
+    EXPECT_NEAR(image.at(left + half, top + row)[1], 0.5, 1e-6);
     // A grey is D65's under each light, as eyes are adapted to it.
-    EXPECT_NEAR(image.at(left, swatch_gap)[0], 0.5 * 0.95047, 1e-4);
-    EXPECT_NEAR(image.at(left, swatch_gap)[2], 0.5 * 1.08883, 2e-4);
+    EXPECT_NEAR(image.at(left, top)[0], 0.5 * 0.95047, 1e-4);
+    EXPECT_NEAR(image.at(left, top)[2], 0.5 * 1.08883, 2e-4);
   }
+}
+
+TEST(Swatches, HaveLabels) {
+  const Spectrum grey = {{500}, {0.5}};
+  const auto matches =
+      match_paints(grey, {{"a", grey}}, lights_of_day_and_shop(), cie::observer_1931());
+  ASSERT_TRUE(matches);
+  const auto drawn = swatches(*matches);
+  ASSERT_TRUE(drawn);
+  const auto brightest = [&](int left, int top, int right, int bottom) {
+    float most = 0;
+    for (int y = top; y < bottom; ++y)
+      for (int x = left; x < right; ++x) most = std::max(most, drawn->at(x, y)[1]);
+    return most;
+  };
+  const int below = swatch_text + swatch_gap + swatch_size;
+  EXPECT_GT(brightest(swatch_names, 0, drawn->width, swatch_text), 0.8) << "the lights";
+  EXPECT_GT(brightest(0, swatch_text, swatch_names, below), 0.8) << "the candidate";
+  EXPECT_GT(brightest(swatch_names, below, drawn->width, drawn->height), 0.8) << "the differences";
 }
 
 }  // namespace

@@ -40,12 +40,28 @@ TEST(Encoding, ReadsAsLatin1WhatIsNoUtf8) {
   EXPECT_EQ(text_of("Gr\xFCn \xB5m"), "Grün µm");
   EXPECT_EQ(text_of("\xC3"), "Ã") << "half a character of UTF-8";
   EXPECT_EQ(text_of("\xC0\x80"), "À\xC2\x80") << "a character that is longer than it needs be";
-  EXPECT_EQ(text_of("\xED\xA0\x80"), "í\xC2\xA0\xC2\x80") << "half a pair of surrogates";
+  EXPECT_EQ(text_of("\xED\xA0\x80"), "í \xC2\x80") << "half a pair of surrogates";
 }
 
 TEST(Encoding, EndsLinesWithLf) {
   EXPECT_EQ(text_of("a\r\nb\rc\nd\r\r\n"), "a\nb\nc\nd\n\n");
   EXPECT_EQ(text_of(utf16("a\r\nb\r", true)), "a\nb\n");
+}
+
+TEST(Encoding, MakesBlanksOfWhatLooksLikeThem) {
+  for (const char* blank : {"\xC2\xA0", "\xE2\x80\x87", "\xE2\x80\x89", "\xE2\x80\xAF"})
+    EXPECT_EQ(utf8_text("400" + std::string(blank) + "0.5" + blank + "\n", "f"), "400 0.5 \n");
+  EXPECT_EQ(utf8_text("400\xA0"
+                      "0.5\n",
+                      "f"),
+            "400 0.5\n")
+      << "in Latin-1";
+  EXPECT_EQ(utf8_text(std::string_view("\xFF\xFE"
+                                       "4\0\xA0\0"
+                                       "5\0",
+                                       8),
+                      "f"),
+            "4 5");
 }
 
 TEST(Encoding, RefusesWhatIsNoText) {

@@ -102,7 +102,7 @@ TEST(Interpret, ClampsOnRequestAndCounts) {
 
 TEST(Interpret, NotesWhatNoEyeSees) {
   const SpectrumFile silent{.format = "pairs"};
-  const auto far = interpret(silent, {{900, 2500}, {0.1, 0.2}}, {}, Use::property);
+  const auto far = interpret(silent, Spectrum{{900, 2500}, {0.1, 0.2}}, {}, Use::property);
   ASSERT_TRUE(far);
   EXPECT_EQ(far->notes, Notes{"its wavelengths, 900 to 2500 nm, are none that an eye sees"});
 }

@@ -30,7 +30,15 @@ TEST(Labels, FindTheWavelengthOfEverySpelling) {
                             "Spectral Data 380[nm]",
                             " 380 NM ",
                             "SPEC_380.0",
-                            "380.00nm"})
+                            "380.00nm",
+                            "R380",
+                            "r 380",
+                            "R[380nm]",
+                            "R [380 nm]",
+                            "R(380)",
+                            "T380",
+                            "Spec380",
+                            "rho(380 nm)"})
     EXPECT_EQ(wavelength(label), 380) << label;
   EXPECT_EQ(wavelength("0.38 µm"), 0.38);
   EXPECT_EQ(wavelength("0.38um"), 0.38);
@@ -42,10 +50,10 @@ TEST(Labels, FindTheWavelengthOfEverySpelling) {
 
 TEST(Labels, AreNoneWhereNoWavelengthIsSaid) {
   for (const char* label :
-       {"",          "380",       "SAMPLE_ID",    "RGB_R",   "XYZ_X",    "LAB_L",
-        "D_RED",     "SPEC_",     "nm",           "R",       "R_",       "R_x",
-        "SPEC_-380", "SPEC_380x", "SPEC_38e1",    "nm1e999", "Probe 12", "380%",
-        "[nm]",      "380]",      "SPEC_380 400", "nan nm"})
+       {"",          "380",     "SAMPLE_ID", "RGB_R", "XYZ_X", "LAB_L",     "D_RED",
+        "SPEC_",     "nm",      "R",         "R_",    "R_x",   "SPEC_-380", "SPEC_380x",
+        "SPEC_38e1", "nm1e999", "Probe 12",  "380%",  "[nm]",  "380]",      "SPEC_380 400",
+        "nan nm",    "R1",      "R15",       "R(9)",  "R[x]",  "[]",        "()"})
     EXPECT_FALSE(labelled_wavelength(label)) << label;
 }
 

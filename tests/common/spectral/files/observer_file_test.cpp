@@ -69,6 +69,17 @@ TEST(ObserverFile, SaysWhatIsWrong) {
             "eye.csv: error: is no observer: an observer needs two wavelengths at least");
 }
 
+TEST(ObserverFile, OfConesOrPrimariesIsToldByName) {
+  const std::string rows = "400,1,2,3\n410,1,2,3\n";
+  for (const char* cones : {"nm,L,M,S\n", "nm,s,m,l\n", "nm,l-bar,m-bar,s-bar\n"})
+    EXPECT_NE(fault_in(cones + rows).find("l, m and s, cone fundamentals"), std::string::npos)
+        << fault_in(cones + rows);
+  for (const char* primaries : {"nm,R,G,B\n", "nm,r10,g10,b10\n", "nm,blue,green,red\n"})
+    EXPECT_NE(fault_in(primaries + rows).find("r, g and b"), std::string::npos);
+  for (const char* good : {"nm,x,y,z\n", "nm,a,b,c\n", "nm,l,m,x\n"})
+    EXPECT_EQ(fault_in(good + rows), "none");
+}
+
 TEST(ObserverFile, OfAnythingIsALocatedErrorOrAnObserver) {
   EXPECT_EQ(fault_in("400,1,2,3\n410,1,nan,3\n").substr(0, 13), "eye.csv:2:7: ");
   EXPECT_EQ(fault_in("400,1,2,1e999\n410,1,2,3\n").substr(0, 13), "eye.csv:1:9: ");

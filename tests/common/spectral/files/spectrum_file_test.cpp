@@ -124,24 +124,40 @@ std::string select_error(std::vector<NamedSpectrum> spectra, const std::string& 
 }
 
 TEST(SelectEntry, TakesTheOnlyOneOrTheNamedOne) {
-  EXPECT_EQ(select_entry({named("")}, ""), figure_4_4);
-  EXPECT_EQ(select_entry({named("TCS01")}, ""), figure_4_4);
+  EXPECT_EQ(select_entry({named("")}, "")->spectrum, figure_4_4);
+  EXPECT_EQ(select_entry({named("TCS01")}, "")->spectrum, figure_4_4);
   NamedSpectrum other = named("TCS02");
   other.spectrum.values[0] = 1;
-  EXPECT_EQ(select_entry({named("TCS01"), other}, "TCS02"), other.spectrum);
+  EXPECT_EQ(select_entry({named("TCS01"), other}, "TCS02")->spectrum, other.spectrum);
 }
 
 TEST(SelectEntry, SaysWhatThereIsInstead) {
   EXPECT_EQ(select_error({named("TCS01"), named("TCS02")}, ""),
-            "error: the file has 2 spectra; name one with entry, say \"TCS01\"");
+            "error: the file has 2 spectra; name one with entry: \"TCS01\", \"TCS02\"");
   EXPECT_EQ(select_error({named(""), named("")}, ""),
-            "error: the file has 2 spectra; name one with entry");
+            "error: the file has 2 spectra; name one with entry: \"#1\", \"#2\"");
   EXPECT_EQ(select_error({named("TCS01"), named("TCS02")}, "TSC02"),
             "error: the file has no entry \"TSC02\"; did you mean \"TCS02\"?");
   EXPECT_EQ(select_error({named("")}, "TCS02"),
-            "error: the file has no entry \"TCS02\"; its spectra have no names");
-  EXPECT_EQ(select_error({named("red"), named("red")}, "red"),
-            "error: the file has several entries \"red\"");
+            "error: the file has no entry \"TCS02\"; it has \"#1\"");
+  EXPECT_EQ(select_error({named("red"), named("blue"), named("red")}, "red"),
+            "error: the file has several entries \"red\"; choose one: \"red#1\", \"red#2\"");
+}
+
+TEST(SelectEntry, TellsEntriesOfOneNameApartByNumber) {
+  const std::vector<std::string> names = {"red", "blue", "red", "", "red#2", "blue"};
+  const auto of = [&](const char* entry) { return entries_named(names, entry); };
+  using Places = std::vector<std::size_t>;
+  EXPECT_EQ(of("red"), (Places{0, 2}));
+  EXPECT_EQ(of("red#1"), Places{0});
+  EXPECT_EQ(of("red#2"), Places{4}) << "what is called so goes before";
+  EXPECT_EQ(of("blue#2"), Places{5});
+  EXPECT_EQ(of("#3"), Places{2});
+  EXPECT_EQ(of("#4"), Places{3});
+  EXPECT_EQ(of("#6"), Places{5});
+  for (const char* none : {"blue#3", "blue#0", "#7", "#0", "#", "blue#", "blue#1x", "green", "#-1",
+                           "blue#99999999999999999999"})
+    EXPECT_EQ(of(none), Places{}) << none;
 }
 
 }  // namespace

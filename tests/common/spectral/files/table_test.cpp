@@ -1,6 +1,7 @@
 // Tables of spectra, through read_spectrum_file.
 #include <gtest/gtest.h>
 
+#include "common/spectral/files/interpret.h"
 #include "common/spectral/files/spectrum_file.h"
 
 namespace metamer {
@@ -122,6 +123,21 @@ TEST(Table, MayHaveASpectrumALine) {
       (std::vector<double>{380, 390, 400}));
 }
 
+TEST(Table, ASpectrumALineIsKnownByEveryHeading) {
+  for (const char* heading :
+       {"name,R400,R410,R420", "name,R[400nm],R[410nm],R[420nm]", "name,R(400),R(410),R(420)",
+        "id;nm400;nm410;nm420", "id\tSPEC400\tSPEC410\tSPEC420", "x,T400,T410,T420"}) {
+    std::string row = "red,0.1,0.2,0.3\n";
+    const char delimiter = std::string_view(heading).find_first_of(",;\t") != std::string_view::npos
+                               ? heading[std::string_view(heading).find_first_of(",;\t")]
+                               : ',';
+    for (char& c : row) c = c == ',' ? delimiter : c;
+    const SpectrumFile file = table(std::string(heading) + "\n" + row);
+    EXPECT_EQ(file.spectra.at(0).name, "red") << heading;
+    EXPECT_EQ(file.spectra.at(0).spectrum, (Spectrum{{400, 410, 420}, {0.1, 0.2, 0.3}})) << heading;
+  }
+}
+
 TEST(Table, OfAnInstrumentIsCalledAfterIt) {
   const std::string sekonic =
       "Sekonic C-7000,\nCCT,5003\nSpectral Data 380[nm],0.25\nSpectral Data 390[nm],0.5\n"
@@ -197,6 +213,74 @@ TEST(Table, OfALampTwiceIsTheFinerOne) {
       "Spectral Data 380[nm],1\nSpectral Data 381[nm],3\nSpectral Data 382[nm],4\n";
   EXPECT_EQ(only_of("Sekonic,C-7000\n" + coarse + fine), (Spectrum{{380, 381, 382}, {1, 3, 4}}));
   EXPECT_EQ(only_of("Sekonic,C-7000\n" + fine + coarse), (Spectrum{{380, 381, 382}, {1, 3, 4}}));
+}
+
+TEST(Table, ReadsPercentsBehindNumbers) {
+  for (const char* text :
+       {"400,10.02%\n500,20%\n600,30.5%\n", "600;30,5 %\n500;20 %\n400;10,02 %\n",
+        "nm\tred\n400\t10.02%\n500\t20.00%\n600\t30.50%\n",
+        "Name,400,500,600\nred,10.02%,20%,30.5%\n"}) {
+    const SpectrumFile file = table(text);
+    EXPECT_EQ(file.scale, Scale::percent) << text;
+    EXPECT_EQ(file.spectra.at(0).spectrum, (Spectrum{{400, 500, 600}, {10.02, 20, 30.5}})) << text;
+  }
+  EXPECT_EQ(
+      table_error("400,10%\n500,0.2\n600,30%\n"),
+      "t.csv:1:1: error: some numbers of column 2 have a % behind them, and others have none");
+}
+
+TEST(Table, ReadsThousandsWhereTheyCanBeNothingElse) {
+  const Spectrum lamp = {{400, 500, 600}, {1002.5, 999.25, 1234567}};
+  for (const char* text :
+       {"400;1 002,5\n500;999,25\n600;1 234 567\n", "400\t1'002.5\n500\t999.25\n600\t1'234'567\n",
+        "400;1.002,5\n500;999,25\n600;1.234.567,0\n", "400;1,002.5\n500;999.25\n600;1,234,567.0\n",
+        "400,\"1,002.5\"\n500,\"999.25\"\n600,\"1,234,567.0\"\n",
+        "400;1\xC2\xA0"
+        "002,5\n500;999,25\n600;1\xE2\x80\xAF"
+        "234 567\n",
+        "400;1\xE2\x80\x99"
+        "002.5\n500;999.25\n600;1234567\n"})
+    EXPECT_EQ(only_of(text), lamp) << text;
+  EXPECT_EQ(table_error("400;999,25\n500;1.002\n600;3,5\n"),
+            "t.csv:2:5: error: \"1.002\" is not a number: its decimal sign or what parts its "
+            "thousands can't be told");
+  EXPECT_EQ(table_error("400;1 0025\n500;2\n600;3\n500;4\n").substr(0, 36),
+            "t.csv:1:5: error: \"1 0025\" is not a ");
+}
+
+TEST(Table, WithCommasOfTwoKindsIsRefused) {
+  const std::string commas = "commas part both cells and the digits of numbers";
+  for (const char* text : {"400,0,1002\n500,0,2\n600,0,45\n",  // 0.1002 as no other column could be
+                           "nm,R\n400,10,5\n500,20,25\n600,30,1\n",  // two headings, three cells
+                           "nm,a,b\n400,1,5,2,5\n500,2,25,3,1\n",    // three and five
+                           "400,1,05\n500,2,5\n600,3,5\n",           // no number begins with 05
+                           "400,1,002.5\n500,1,500.2\n600,2,000.1\n"}) {  // thousands
+    EXPECT_NE(table_error(text).find(commas), std::string::npos) << text << table_error(text);
+  }
+  // Whole numbers may be columns of their own, which is said.
+  const SpectrumFile counts = table("400,12,305\n500,20,410\n600,7,99\n");
+  EXPECT_EQ(counts.spectra.size(), 2U);
+  ASSERT_EQ(counts.notes.size(), 1U);
+  EXPECT_EQ(counts.notes[0],
+            "read as 2 columns of whole numbers; with decimal commas it would be 1, parted by "
+            "semicolons or tabs");
+  for (const char* silent : {"nm,a,b\n400,12,305\n500,20,410\n", "400;12;305\n500;20;410\n",
+                             "400,0.1,3\n500,0.2,4\n", "400,12\n500,20\n"})
+    EXPECT_TRUE(table(silent).notes.empty()) << silent;
+}
+
+TEST(Table, CountsBlankCells) {
+  const SpectrumFile file = table("nm,a,b,c\n400,1.5,,3\n410,,,3\n420,2,0.5,3\n");
+  ASSERT_EQ(file.spectra.size(), 3U);
+  EXPECT_EQ(file.spectra[0].blank, 1U);
+  EXPECT_EQ(file.spectra[1].blank, 2U);
+  EXPECT_EQ(file.spectra[2].blank, 0U);
+  const SpectrumFile wide = table("Name,400,410,420\na,1,,3\nb,1,2,3\n");
+  EXPECT_EQ(wide.spectra.at(0).blank, 1U);
+  EXPECT_EQ(wide.spectra.at(1).blank, 0U);
+  const auto taken = interpret(file, file.spectra[1], {}, Use::any);
+  ASSERT_TRUE(taken);
+  EXPECT_EQ(taken->notes.front(), "2 cells are blank: there are no samples at these wavelengths");
 }
 
 TEST(Table, TakesDecimalCommasInQuotes) {
