@@ -1,6 +1,6 @@
 #include "common/mesh/used_vertices.h"
 
-#include "common/mesh/equal_positions.h"
+#include "common/mesh/normals/equal_positions.h"
 #include "common/mesh/vertex.h"
 
 namespace metamer {

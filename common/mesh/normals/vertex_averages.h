@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "common/mesh/corner_angles.h"
-#include "common/mesh/exact_sum.h"
+#include "common/mesh/normals/corner_angles.h"
+#include "common/mesh/normals/exact_sum.h"
 #include "common/mesh/parallel.h"
 
 namespace metamer {

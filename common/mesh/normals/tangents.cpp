@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/mesh/normals/vertex_averages.h"
 #include "common/mesh/smooth_normals.h"
-#include "common/mesh/vertex_averages.h"
 
 namespace metamer {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "common/mesh/equal_positions.h"
-#include "common/mesh/vertex_averages.h"
+#include "common/mesh/normals/equal_positions.h"
+#include "common/mesh/normals/vertex_averages.h"
 
 namespace metamer {
 

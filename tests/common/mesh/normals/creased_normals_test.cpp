@@ -2,7 +2,7 @@
 #include <random>
 #include <set>
 
-#include "mesh_text.h"
+#include "../mesh_text.h"
 
 namespace metamer {
 namespace {

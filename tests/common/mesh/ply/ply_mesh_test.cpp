@@ -1,7 +1,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "mesh_text.h"
+#include "../mesh_text.h"
 
 namespace metamer {
 namespace {

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "mesh_text.h"
+#include "../mesh_text.h"
 
 namespace metamer {
 namespace {

@@ -1,4 +1,4 @@
-#include "common/mesh/equal_positions.h"
+#include "common/mesh/normals/equal_positions.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <random>
 
-#include "mesh_text.h"
+#include "../mesh_text.h"
 
 namespace metamer {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "common/mesh/corner_angles.h"
-#include "common/mesh/equal_positions.h"
-#include "common/mesh/exact_sum.h"
+#include "common/mesh/normals/corner_angles.h"
+#include "common/mesh/normals/equal_positions.h"
+#include "common/mesh/normals/exact_sum.h"
 #include "common/mesh/parallel.h"
 #include "common/mesh/smooth_normals.h"
 
