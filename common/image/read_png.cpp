@@ -87,7 +87,8 @@ void read_cicp(Reader& reader, PngPicture& picture) {
   }
 }
 
-/// What the file says of its numbers, and what libpng would not take.
+/// What the file says of its numbers, and what libpng would not take. It keeps a damaged cICP,
+/// whose name it does not know.
 void read_color(Reader& reader, PngPicture& picture) {
   read_cicp(reader, picture);
   png_structp png = reader.png;
@@ -106,8 +107,8 @@ void read_color(Reader& reader, PngPicture& picture) {
     picture.chromaticities = c;
 
   for (const auto& [chunk, valid] :
-       {std::pair("iCCP", !picture.icc_profile.empty()), std::pair("sRGB", picture.srgb),
-        std::pair("gAMA", picture.gamma.has_value()),
+       {std::pair("cICP", false), std::pair("iCCP", !picture.icc_profile.empty()),
+        std::pair("sRGB", picture.srgb), std::pair("gAMA", picture.gamma.has_value()),
         std::pair("cHRM", picture.chromaticities.has_value())})
     for (const std::string& warning : reader.said.warnings)
       if (!valid && warning.starts_with(std::string(chunk) + ": "))

@@ -290,6 +290,16 @@ TEST_F(PngFile, ThatSaysWhatCantBeIsRefused) {
         refused_because(read_pixel(folder_ / "a.png", {1, 2, 3}, {{name, data}}));
     EXPECT_EQ(why.find("what its " + std::string(name) + " says"), 0u) << why;
   }
+  // A chunk whose checksum is wrong is not passed over.
+  for (const auto& [name, data] :
+       {std::pair("gAMA", gamma_1), std::pair("cICP", std::string{12, 13, 0, 1})}) {
+    ASSERT_TRUE(read_pixel(folder_ / "a.png", {1, 2, 3}, {{name, data}}));
+    std::string bytes = file_text(folder_ / "a.png");
+    bytes[bytes.find(name) + 5] ^= 1;
+    std::ofstream(folder_ / "a.png", std::ios::binary) << bytes;
+    EXPECT_EQ(refused_because(read_xyz(folder_ / "a.png", {})),
+              "what its " + std::string(name) + " says can't be used: CRC error");
+  }
 }
 
 TEST_F(PngFile, ThatIsTransparentIsSeenOverBlack) {
