@@ -24,6 +24,7 @@ struct Block {
   std::uint64_t triangles;  ///< That the rows before may become.
 };
 constexpr std::uint64_t block_rows = 8192;
+constexpr std::uint64_t most_vertices = 3 * limits::max_triangles;
 
 /// Where an element is in the body.
 template <typename Cursor>
@@ -42,9 +43,13 @@ class Reader {
 
   Result<MeshFile> read() {
     if (auto found = find_elements(); !found) return tl::unexpected(found.error());
-    if (faces_.empty()) return problem_at(0, "holds no triangles");
+    if (faces_.empty()) return problem_at(0, "holds no faces with vertex_indices");
     const VertexColumns columns(*vertices_.element);
     if (!columns.position()) return problem_at(0, "its vertices have no x, y and z");
+    if (vertices_.element->count > most_vertices)
+      return problem_at(0, "holds " + std::to_string(vertices_.element->count) +
+                               " vertices; at most " + std::to_string(most_vertices) +
+                               " are allowed");
     read_vertices(columns);
     if (first_.get()) return tl::unexpected(*first_.get());
     for (const Extent<Cursor>& faces : faces_) read_faces(faces);
@@ -67,10 +72,13 @@ class Reader {
       line = mesh_text::line_of(bytes_, static_cast<std::size_t>(at.place() - bytes_.data()));
     return problem_at(line, std::move(message)).value();
   }
+  static std::string name_of(const Element& element) {
+    return element.name.size() > 40 ? mesh_text::cited(element.name)
+                                    : mesh_text::utf8_name(element.name);
+  }
   /// Of a row whose value is none.
   Problem broken_row(const Cursor& at, const Element& element, std::uint64_t row) const {
-    const std::string which =
-        mesh_text::utf8_name(element.name).substr(0, 40) + " " + std::to_string(row);
+    const std::string which = name_of(element) + " " + std::to_string(row);
     const bool ends =
         at.place() == bytes_.data() + bytes_.size() || !std::is_same_v<Cursor, TextCursor>;
     return problem_before(at, ends ? "ends in " + which + " of " + std::to_string(element.count)
@@ -107,9 +115,8 @@ class Reader {
     const std::size_t least = element.least_size(header_.format);
     if (least == 0) return {};
     if (element.count > (at.left() + 1) / least)
-      return problem_at(0, "says that it holds " + std::to_string(element.count) + " of \"" +
-                               mesh_text::utf8_name(element.name).substr(0, 40) +
-                               "\"; its bytes are too few");
+      return problem_at(0, "says that it holds " + std::to_string(element.count) + " of " +
+                               mesh_text::cited(element.name) + "; its bytes are too few");
     const bool walk = std::is_same_v<Cursor, TextCursor> || element.has_lists();
     for (std::uint64_t row = 0; row < element.count; row += block_rows) {
       const std::uint64_t rows = std::min(block_rows, element.count - row);
@@ -216,7 +223,7 @@ class Reader {
     const bool strips = element.name == "tristrips";
     FaceSplitter splitter(mesh_);
     std::uint64_t skipped = 0;
-    std::vector<std::uint32_t> corners;
+    Corners corners;
     Cursor at = block.begin;
     for (std::uint64_t i = block.row; i < block.row + block.rows; ++i) {
       for (std::size_t p = 0; p < element.properties.size(); ++p) {
@@ -229,7 +236,8 @@ class Reader {
         if (auto wrong = read_corners(property.type, static_cast<std::size_t>(*count), i, strips,
                                       at, corners))
           return wrong;
-        if ((strips ? strip(corners, to) : splitter(corners, to)) == to) ++skipped;
+        if ((strips ? strip(corners.vertices, to) : splitter(corners.vertices, to)) == to)
+          ++skipped;
         to += *count < 3 ? 0 : *count - 2;
       }
     }
@@ -237,24 +245,29 @@ class Reader {
     return std::nullopt;
   }
 
+  /// Of one face after the other.
+  struct Corners {
+    std::vector<std::int64_t> numbers;  ///< As the file has them.
+    std::vector<std::uint32_t> vertices;
+  };
+
   std::optional<Problem> read_corners(Scalar type, std::size_t count, std::uint64_t row,
-                                      bool strips, Cursor& at,
-                                      std::vector<std::uint32_t>& corners) const {
-    thread_local std::vector<std::int64_t> indices;
+                                      bool strips, Cursor& at, Corners& corners) const {
     const Cursor before = at;
-    if (!at.read_integers(type, count, indices))
+    if (!at.read_integers(type, count, corners.numbers))
       return problem_before(at,
                             "face " + std::to_string(row) + " names no vertex by a whole number");
     const std::uint64_t vertices = vertices_.blocks.empty() ? 0 : vertices_.element->count;
-    corners.resize(count);
+    corners.vertices.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-      corners[i] = strips && indices[i] == -1 ? strip_end : static_cast<std::uint32_t>(indices[i]);
-      if (static_cast<std::uint64_t>(indices[i]) < vertices || (strips && indices[i] == -1))
-        continue;
+      const std::int64_t number = corners.numbers[i];
+      const bool ends_strip = strips && number == -1;
+      corners.vertices[i] = ends_strip ? strip_end : static_cast<std::uint32_t>(number);
+      if (static_cast<std::uint64_t>(number) < vertices || ends_strip) continue;
       Cursor there = before;
       there.skip(type, i);
       return problem_before(there, "face " + std::to_string(row) + " names vertex " +
-                                       std::to_string(indices[i]) + "; there are " +
+                                       std::to_string(number) + "; there are " +
                                        std::to_string(vertices));
     }
     return std::nullopt;

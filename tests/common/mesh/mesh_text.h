@@ -60,6 +60,34 @@ inline std::vector<Double3> square_corners() {
   return {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 }
 
+/// Reads a file with each byte in turn changed, cut off or put in twice: all end in a mesh that can
+/// be used, or in a problem that says something.
+template <typename Read>
+void expect_no_byte_breaks(const std::string& text, const Read& read) {
+  const auto look = [&](const std::string& other) {
+    const Result<MeshFile> file = read(other);
+    if (!file) {
+      EXPECT_FALSE(file.error().message.empty());
+    } else {
+      EXPECT_FALSE(file->triangles.empty());
+      for (const Triangle& triangle : file->triangles)
+        for (const std::uint32_t vertex : triangle)
+          ASSERT_LT(vertex, file->positions.size() + file->positions_f64.size());
+      EXPECT_TRUE(triangles_of(*file, {.crease_angle = 30, .tangents = true}));
+    }
+  };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    for (const char byte : {'\0', '\x7f', '\xff', '-', '9', '\n', ' ', '\\', '/'}) {
+      std::string other = text;
+      other[i] = byte;
+      look(other);
+    }
+    look(text.substr(0, i));
+    look(text.substr(0, i) + text.substr(i + 1));
+    look(text.substr(0, i) + text[i] + text.substr(i));
+  }
+}
+
 /// The angle between two unit vectors in degrees.
 inline double degrees_between(const Float3& a, const Float3& b) {
   double cosine = 0, sine = 0;

@@ -128,5 +128,13 @@ TEST(Obj, CurvedSurfacesAreLeftOutWithANote) {
             std::vector<std::string>{"curves and surfaces (curv, surf) were left out"});
 }
 
+TEST(Obj, NoByteBreaksTheReader) {
+  expect_no_byte_breaks(
+      square +
+          "vt 0 0\nvt 1 0\nvt 1 1\nvn 0 0 1\no a\nusemtl b\nf 1/1/1 2/2/1 3/3/-1\n"
+          "g c\nf 1 2 \\\n 3 4\nf -1 -2 -3\nf 1 2\n",
+      obj_of);
+}
+
 }  // namespace
 }  // namespace metamer

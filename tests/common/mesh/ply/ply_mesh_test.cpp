@@ -112,7 +112,8 @@ TEST(Ply, AProblemIsLocated) {
        "a.ply: error: says that it holds 2000000000 of \"vertex\"; its bytes are too few"},
       {ascii(4, 0, square_vertices), "a.ply: error: holds no triangles"},
       {ascii(4, 1, square_vertices + "3 0 1 1\n"), "a.ply: error: holds no triangles"},
-      {"ply\nformat ascii 1.0\nelement vertex 0\nend_header\n", "a.ply: error: holds no triangles"},
+      {"ply\nformat ascii 1.0\nelement vertex 0\nend_header\n",
+       "a.ply: error: holds no faces with vertex_indices"},
   };
   for (const auto& [text, message] : broken) EXPECT_EQ(problem_of(ply_of(text)), message) << text;
 }
@@ -244,6 +245,27 @@ TEST(Ply, MutatedFilesEndInMeshesOrProblems) {
     else
       EXPECT_FALSE(file.error().message.empty()) << name;
   }
+}
+
+TEST(Ply, NoByteBreaksTheReader) {
+  std::string body;
+  for (const float value : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 1.f, 1.f, 0.f, 0.f, 1.f, 0.f})
+    put(body, value, "little");
+  put(body, std::uint8_t{4}, "little");
+  for (const int i : {0, 1, 2, 3}) put(body, i, "little");
+  expect_no_byte_breaks(
+      "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n" +
+          body,
+      ply_of);
+  expect_no_byte_breaks(ascii(4, 3, square_vertices + "3 0 1 2\n0\n4 0 1 2 3\n"), ply_of);
+  expect_no_byte_breaks(
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty float y\nproperty int "
+      "z\n"
+      "property float u\nproperty float v\nelement tristrips 1\nproperty list int int "
+      "vertex_index\n"
+      "end_header\n0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n1 1 0 1 1\n9 0 1 2 3 -1 0 0 1 2\n",
+      ply_of);
 }
 
 }  // namespace
