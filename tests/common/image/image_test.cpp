@@ -17,13 +17,6 @@
 #include "common/color/srgb.h"
 #include "image_file.h"
 
-// OpenImageIO's PNG reader leaks the text of each error: libpng jumps out of the call that holds
-// it. Often the leak checker sees no more of that call than libstdc++'s assignment.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() {
-  return "leak:ImageInput::geterror\nleak:basic_string*_M_assign\n";
-}
-
 namespace metamer {
 namespace {
 
@@ -271,7 +264,6 @@ TEST_F(ImageFile, ReadsOnlyWhatIsThere) {
 }
 
 TEST_F(ImageFile, BrokenPicturesAreErrors) {
-  testing::internal::CaptureStderr();  // libpng writes there by itself.
   for (const char* name : {"a.png", "a.exr"}) {
     ASSERT_TRUE(write_image(noise(50, 80), folder_ / name, false, {}));
     const std::string whole = slurp(folder_ / name);
@@ -282,8 +274,6 @@ TEST_F(ImageFile, BrokenPicturesAreErrors) {
       EXPECT_EQ(read_error(folder_ / name).substr(0, start.size()), start) << size;
     }
   }
-  testing::internal::GetCapturedStderr();
-  EXPECT_EQ(OIIO::geterror(), "") << "no error is left for somebody else to find";
 }
 
 /// A chunk of a PNG file: length, name, data, CRC-32.
