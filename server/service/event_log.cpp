@@ -21,7 +21,7 @@ void EventLog::append_last(v1::JobEvent event, double time) {
 
 void EventLog::append_tile(std::uint32_t tile, double time) {
   assert(!ended_);
-  entries_.push_back({++last_sequence_, time, tile});
+  tiles_.push_back({++last_sequence_, time, tile});
 }
 
 void EventLog::replace_progress(v1::JobEvent event, double time) {
@@ -33,30 +33,31 @@ void EventLog::replace_preview(v1::JobEvent event, double time) {
 }
 
 void EventLog::drop_pictures() {
-  std::erase_if(entries_, [](const Entry& entry) { return !entry.event; });
+  tiles_.clear();
   progress_.reset();
   preview_.reset();
 }
 
 std::optional<EventLog::Entry> EventLog::next(std::uint64_t from, Filter filter) const {
-  // Find the first logged entry that passes.
-  auto found = std::lower_bound(
-      entries_.begin(), entries_.end(), from,
-      [](const Entry& entry, std::uint64_t sequence) { return entry.sequence < sequence; });
-  while (found != entries_.end() && !found->event && !filter.tiles) ++found;
-  const Entry* first = found != entries_.end() ? &*found : nullptr;
-
-  // Put the newest progress and preview into their places between the others.
-  const auto consider = [&](const std::optional<Entry>& newest) {
-    if (!newest || newest->sequence < from) return;
-    if (!first || newest->sequence < first->sequence) first = &*newest;
+  const auto before = [](const auto& entry, std::uint64_t sequence) {
+    return entry.sequence < sequence;
   };
-  consider(progress_);
-  if (filter.previews) consider(preview_);
+  std::optional<Entry> first;
+  const auto consider = [&](const Entry& entry) {
+    if (entry.sequence >= from && (!first || entry.sequence < first->sequence)) first = entry;
+  };
+  const auto event = std::lower_bound(entries_.begin(), entries_.end(), from, before);
+  if (event != entries_.end()) consider(*event);
+  if (filter.tiles) {
+    const auto tile = std::lower_bound(tiles_.begin(), tiles_.end(), from, before);
+    if (tile != tiles_.end()) consider({tile->sequence, tile->time, tile->tile});
+  }
+  // The newest progress and preview have their places between the others.
+  if (progress_) consider(*progress_);
+  if (filter.previews && preview_) consider(*preview_);
 
-  if (!first && ended_) first = &entries_.back();
-  if (!first) return std::nullopt;
-  return *first;
+  if (!first && ended_) return entries_.back();
+  return first;
 }
 
 }  // namespace metamer::service

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -46,7 +47,16 @@ class EventLog {
 
   std::uint64_t last_sequence_ = 0;
   bool ended_ = false;
-  std::vector<Entry> entries_;  // rising sequence numbers
+  struct TileEntry {
+    std::uint64_t sequence;
+    double time;
+    std::uint32_t tile;
+  };
+  // Each with rising sequence numbers. Apart, since a reader without tiles is to find the next
+  // event among millions of them; in pieces, since millions are not to be moved when they become
+  // more.
+  std::vector<Entry> entries_;
+  std::deque<TileEntry> tiles_;
   std::optional<Entry> progress_;
   std::optional<Entry> preview_;
 };

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "metamer/v1/worker.pb.h"
 
@@ -17,14 +16,16 @@ struct Rect {
 };
 
 /// A picture cut into squares of `tile_size` pixels (smaller at the right and bottom edges), in the
-/// order in which they are rendered: the centre first, where the eye looks.
+/// order in which they are rendered: the centre first, where the eye looks, then ring by ring
+/// around it, each in reading order. Computed, not kept: a table of four million tiles would take
+/// the time and the memory of a small picture.
 class TileGrid {
  public:
   TileGrid() = default;
   /// All at least 1.
   TileGrid(std::uint32_t width, std::uint32_t height, std::uint32_t tile_size);
 
-  std::uint32_t size() const { return static_cast<std::uint32_t>(order_.size()); }
+  std::uint32_t size() const { return columns_ * rows_; }
   /// The rectangle of the tile that is rendered as number `index`.
   Rect rect(std::uint32_t index) const;
   /// Which tile that rectangle is; nothing when it is none.
@@ -35,8 +36,7 @@ class TileGrid {
   std::uint32_t height_ = 0;
   std::uint32_t tile_size_ = 1;
   std::uint32_t columns_ = 0;
-  std::vector<std::uint32_t> order_;  // cells, row by row from the top left, in rendering order
-  std::vector<std::uint32_t> rank_;   // of each cell: its index in order_
+  std::uint32_t rows_ = 0;
 };
 
 inline Rect to_rect(const v1::TileRect& message) {

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace metamer::service {
 
@@ -30,16 +33,32 @@ TEST(Tiles, CoverEveryPixelOnce) {
 }
 
 TEST(Tiles, BeginAtTheCentreAndGoOutwards) {
-  const TileGrid grid(640, 480, 16);
-  double last = 0;
-  for (std::uint32_t i = 0; i < grid.size(); ++i) {
-    const Rect rect = grid.rect(i);
-    const double distance = std::hypot(rect.x + 8.0 - 320, rect.y + 8.0 - 240);
-    EXPECT_GE(distance, last - 1e-9);
-    last = distance;
+  for (const std::uint32_t columns : {1u, 2u, 5u, 40u, 41u}) {
+    for (const std::uint32_t rows : {1u, 2u, 7u, 30u, 31u}) {
+      const TileGrid grid(columns * 16, rows * 16, 16);
+      double last = 0;
+      for (std::uint32_t i = 0; i < grid.size(); ++i) {
+        const Rect rect = grid.rect(i);
+        const double distance =
+            std::max(std::abs(rect.x + 8.0 - columns * 8.0), std::abs(rect.y + 8.0 - rows * 8.0));
+        EXPECT_GE(distance, last) << columns << " × " << rows << ": " << i;
+        last = distance;
+      }
+    }
   }
+  const TileGrid grid(640, 480, 16);
   EXPECT_NEAR(std::hypot(grid.rect(0).x + 8.0 - 320, grid.rect(0).y + 8.0 - 240), 8 * std::sqrt(2),
               1e-9);
+}
+
+TEST(Tiles, OfThePicturesThatTakeMostHaveNoTable) {
+  static_assert(std::is_trivially_copyable_v<TileGrid>);
+  for (const auto& [width, height] : {std::pair(16384u, 16384u), std::pair(16384u, 8u)}) {
+    const TileGrid grid(width, height, 8);
+    EXPECT_EQ(grid.size(), width / 8 * (height / 8));
+    for (std::uint32_t i = 0; i < grid.size(); i += 997) EXPECT_EQ(grid.find(grid.rect(i)), i);
+    EXPECT_EQ(grid.find(grid.rect(grid.size() - 1)), grid.size() - 1);
+  }
 }
 
 TEST(Tiles, KnowWhatIsNone) {
