@@ -14,6 +14,7 @@ template <typename T>
 class Array {
  public:
   Array() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): a vector is given away as what it is.
   Array(std::vector<T> values) {
     const auto owner = std::make_shared<const std::vector<T>>(std::move(values));
     values_ = *owner;

@@ -20,8 +20,10 @@ using Triangle = std::array<std::uint32_t, 3>;
 class Positions {
  public:
   Positions() = default;
+  // NOLINTBEGIN(google-explicit-constructor): one or the other is what positions are.
   Positions(Array<Float3> f32) : f32_(std::move(f32)) {}
   Positions(Array<Double3> f64) : f64_(std::move(f64)) {}
+  // NOLINTEND(google-explicit-constructor)
 
   std::size_t size() const { return f32_.size() + f64_.size(); }
   bool empty() const { return size() == 0; }
