@@ -57,6 +57,23 @@ TEST_F(Development, CanBeChangedWhenThePictureIsFetched) {
   expect_same_pixels(read_exr(file), rendered, "fetched and rendered");
 }
 
+TEST_F(Development, IntoPngsOf16BitsIsAFractionOfAStepOff) {
+  const Image exact = render({});
+  const std::string file = folder / "a.png";
+  for (const auto& [bits, steps] : {std::pair("8", 255.0), std::pair("16", 65535.0)}) {
+    ASSERT_EQ(daemon.metamer({"render", scene, "--light", "*=A", "-o", file, "--png", bits}).code,
+              0);
+    const auto back = read_image(file);
+    ASSERT_TRUE(back);
+    for (std::size_t i = 0; i < exact.pixels.size(); ++i) {
+      const double code = encode(rgb_space(StandardSpace::srgb).transfer, exact.pixels[i]);
+      if (code < 0 || code > 1) continue;
+      ASSERT_NEAR(back->pixels[i] * steps, code * steps, 0.51) << bits;
+    }
+  }
+  EXPECT_EQ(daemon.metamer({"render", scene, "-o", file, "--png", "12"}).code, 2);
+}
+
 TEST_F(Development, OfAWordThatNamesNothingIsBadInput) {
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"render", scene, "--rgb", "srgp", "-o", folder / "a.png"},
