@@ -1,5 +1,8 @@
 #include "server/cpu/embree_scene.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <limits>
 
 #include "server/cpu/shared_source.h"
@@ -44,10 +47,6 @@ std::array<float, 3> to_array(const Eigen::Vector3d& v) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
 
-Eigen::Vector3d to_vector(const std::array<float, 3>& v) {
-  return Eigen::Map<const Eigen::Vector3f>(v.data()).cast<double>();
-}
-
 /// A normal's map to the world: the inverse transpose, up to a factor that keeps it near 1.
 Eigen::Matrix3d normal_map(const Eigen::Affine3d& to_world) {
   const Eigen::Matrix3d map = to_world.linear().inverse().transpose();
@@ -72,33 +71,42 @@ std::array<std::array<float, 4>, 3> rows(const Eigen::Affine3d& map) {
   return to;
 }
 
-RTCGeometry triangles(RTCDevice device, const TriangleMesh& mesh, const Eigen::Affine3d& place) {
+/// Calls `each(i)` for all below `count`, on all threads of the arena.
+template <class Each>
+void for_all(std::size_t count, Each each) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1 << 14),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t i = range.begin(); i < range.end(); ++i) each(i);
+                    });
+}
+
+RTCGeometry triangles(RTCDevice device, const TriangleMesh& mesh, const Eigen::Vector3d& center,
+                      const Eigen::Affine3d& place) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* vertices = static_cast<std::array<float, 3>*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                              sizeof(std::array<float, 3>), mesh.positions.size()));
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-    vertices[i] = to_array(place * to_vector(mesh.positions[i]));
-  auto* indices = static_cast<std::array<std::uint32_t, 3>*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                              sizeof(std::array<std::uint32_t, 3>), mesh.triangles.size()));
-  std::copy(mesh.triangles.begin(), mesh.triangles.end(), indices);
+  auto* vertices = static_cast<Float3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+                                                                RTC_FORMAT_FLOAT3, sizeof(Float3),
+                                                                mesh.positions.size()));
+  for_all(mesh.positions.size(), [&](std::size_t i) {
+    vertices[i] = to_array(place * (to_vector(mesh.positions[i]) - center));
+  });
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                             mesh.triangles.data(), 0, sizeof(Triangle), mesh.triangles.size());
   return geometry;
 }
 
-/// Each triangle's three normals, mapped but not made unit again: so that interpolating between
-/// them is the same before and after the map. Empty where the mesh is flat.
-std::vector<std::array<std::array<float, 3>, 3>> corner_normals(const TriangleMesh& mesh,
-                                                                const Eigen::Matrix3d& map) {
-  std::vector<std::array<std::array<float, 3>, 3>> corners;
-  if (mesh.normals.empty()) return corners;
-  corners.reserve(mesh.triangles.size());
-  for (const auto& triangle : mesh.triangles) {
-    auto& corner = corners.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i)
-      corner[i] = to_array(map * to_vector(mesh.normals[triangle[i]]));
-  }
-  return corners;
+/// A mesh's normals in the world, mapped but not made unit again: so that interpolating between
+/// them is the same before and after the map.
+std::vector<Float3> mapped_normals(const TriangleMesh& mesh, const Eigen::Matrix3d& map) {
+  std::vector<Float3> normals(mesh.normals.size());
+  for_all(normals.size(),
+          [&](std::size_t i) { normals[i] = to_array(map * to_vector(mesh.normals[i])); });
+  return normals;
+}
+
+/// Where a mesh's own space has its origin for f32: in its middle, if it is finer than that.
+Eigen::Vector3d center_of(const TriangleMesh& mesh) {
+  if (mesh.positions.f64().empty()) return Eigen::Vector3d::Zero();
+  return box_of(mesh.positions).center();
 }
 
 bool keep_building(void* cancelled, double) {
@@ -125,16 +133,17 @@ std::optional<EmbreeScene> EmbreeScene::build(const RenderScene& scene,
   for (const RenderObject& object : scene.objects)
     if (object.shape == RenderObject::Shape::mesh) ++uses[object.mesh];
   result.shared_scenes_.resize(scene.meshes.size());
-  result.shared_normals_.resize(scene.meshes.size());
+  std::vector<Eigen::Vector3d> centers;
+  for (const TriangleMesh& mesh : scene.meshes) centers.push_back(center_of(mesh));
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     if (uses[i] < 2) continue;
     result.shared_scenes_[i] = new_scene();
-    RTCGeometry geometry = triangles(device, scene.meshes[i], Eigen::Affine3d::Identity());
+    RTCGeometry geometry =
+        triangles(device, scene.meshes[i], centers[i], Eigen::Affine3d::Identity());
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(result.shared_scenes_[i].get(), geometry);
     rtcReleaseGeometry(geometry);
     rtcJoinCommitScene(result.shared_scenes_[i].get());
-    result.shared_normals_[i] = corner_normals(scene.meshes[i], Eigen::Matrix3d::Identity());
     if (cancelled) return std::nullopt;
   }
 
@@ -143,18 +152,23 @@ std::optional<EmbreeScene> EmbreeScene::build(const RenderScene& scene,
     const bool sphere = object.shape == RenderObject::Shape::sphere;
     result.tangents_ |= scene.materials[object.material].anisotropic();
     result.interpolated_ |= !sphere && object.shading != v1::PHONG;
+    RenderObject centered = object;
+    if (!sphere) centered.to_world.translate(centers[object.mesh]);
     result.placed_.push_back({.material = object.material,
                               .shading = sphere ? v1::PHONG : object.shading,
                               .mesh = sphere ? nullptr : &scene.meshes[object.mesh],
-                              .to_world = rows(object.to_world),
-                              .normals = {}});
-    if (sphere)
+                              .to_world = rows(centered.to_world)});
+    if (sphere) {
       result.add_sphere(object);
-    else if (uses[object.mesh] < 2)
-      result.add_placed(object, scene.meshes[object.mesh]);
+      continue;
+    }
+    Placed& placed = result.placed_.back();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      placed.center[axis] = centers[object.mesh][static_cast<Eigen::Index>(axis)];
+    if (uses[object.mesh] < 2)
+      result.add_placed(centered, *placed.mesh);
     else
-      result.add_instance(object, result.shared_scenes_[object.mesh].get(),
-                          &result.shared_normals_[object.mesh]);
+      result.add_instance(centered, result.shared_scenes_[object.mesh].get());
   }
   rtcJoinCommitScene(result.scene_.get());
   if (cancelled) return std::nullopt;
@@ -169,8 +183,10 @@ void EmbreeScene::attach(RTCGeometry geometry) {
 }
 
 void EmbreeScene::add_placed(const RenderObject& object, const TriangleMesh& mesh) {
-  placed_.back().normals = corner_normals(mesh, normal_map(object.to_world));
-  attach(triangles(device_.get(), mesh, object.to_world));
+  Placed& placed = placed_.back();
+  placed.normals = normals_.emplace_back(mapped_normals(mesh, normal_map(object.to_world))).data();
+  if (mesh.normals.empty()) placed.normals = nullptr;
+  attach(triangles(device_.get(), mesh, to_vector(placed.center), object.to_world));
 }
 
 void EmbreeScene::add_sphere(const RenderObject& object) {
@@ -199,17 +215,17 @@ void EmbreeScene::add_sphere(const RenderObject& object) {
   shared_scenes_.emplace_back(ball);
   RenderObject shaped = object;
   shaped.to_world.linear() = shape;
-  add_instance(shaped, ball, nullptr);
+  add_instance(shaped, ball);
 }
 
-void EmbreeScene::add_instance(const RenderObject& object, RTCScene shared,
-                               const std::vector<CornerNormals>* normals) {
+void EmbreeScene::add_instance(const RenderObject& object, RTCScene shared) {
   RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE);
   rtcSetGeometryInstancedScene(geometry, shared);
   const Eigen::Matrix<float, 3, 4, Eigen::RowMajor> map = object.to_world.affine().cast<float>();
   rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_ROW_MAJOR, map.data());
   Placed& placed = placed_.back();
-  placed.shared = normals;
+  if (placed.mesh != nullptr && !placed.mesh->normals.empty())
+    placed.normals = placed.mesh->normals.data();
   placed.instance = true;
   const Eigen::Matrix3d normal = normal_map(object.to_world);
   for (int row = 0; row < 3; ++row)

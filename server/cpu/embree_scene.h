@@ -64,17 +64,15 @@ class EmbreeScene {
   using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice>;
   using SceneHandle = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScene>;
 
-  /// The three corner normals of a triangle, together in memory because they are read together.
-  using CornerNormals = std::array<std::array<float, 3>, 3>;
-
   /// An object, by the number of its geometry in the top scene.
   struct Placed {
     std::uint32_t material;
     v1::Shading shading;
     const TriangleMesh* mesh = nullptr;              ///< Null: a sphere.
     std::array<std::array<float, 4>, 3> to_world{};  ///< Rows.
-    std::vector<CornerNormals> normals;              ///< In the world; empty: flat, or an instance.
-    const std::vector<CornerNormals>* shared = nullptr;  ///< An instance's, in its own space.
+    const Float3* normals =
+        nullptr;       ///< Of its vertices; an instance's in its own space. Null: flat.
+    Double3 center{};  ///< Of the mesh's space, as `to_world` has it.
     bool instance = false;
     std::array<std::array<float, 3>, 3> to_world_normals{};  ///< Rows; for an instance.
   };
@@ -82,8 +80,7 @@ class EmbreeScene {
   EmbreeScene() = default;
   void add_placed(const RenderObject& object, const TriangleMesh& mesh);
   void add_sphere(const RenderObject& object);
-  void add_instance(const RenderObject& object, RTCScene shared,
-                    const std::vector<CornerNormals>* normals);
+  void add_instance(const RenderObject& object, RTCScene shared);
   void attach(RTCGeometry geometry);
   void shading_normal(const RTCRayHit8& rays, int lane, Hits& hits) const;
   std::array<float, 3> corner_tangent(const Placed& placed, std::uint32_t vertex) const;
@@ -91,7 +88,7 @@ class EmbreeScene {
 
   Device device_;
   std::vector<SceneHandle> shared_scenes_;
-  std::vector<std::vector<CornerNormals>> shared_normals_;
+  std::vector<std::vector<Float3>> normals_;  ///< Those that were mapped.
   SceneHandle scene_;
   std::vector<Placed> placed_;
   bool tangents_ = false, interpolated_ = false;  ///< Whether any object asks for them.

@@ -35,13 +35,13 @@ void EmbreeScene::shading_normal(const RTCRayHit8& rays, int lane, Hits& hits) c
   };
 
   // Interpolate the corners' normals; E: n = (1 − u − v) n₀ + u n₁ + v n₂.
-  const std::vector<CornerNormals>* normals = instanced ? placed.shared : &placed.normals;
-  if (normals != nullptr && !normals->empty()) {
-    const CornerNormals& corner = (*normals)[rays.hit.primID[lane]];
+  if (const Float3* const normals = placed.normals) {
+    const Triangle& corner = placed.mesh->triangles[rays.hit.primID[lane]];
+    const Float3 &n0 = normals[corner[0]], &n1 = normals[corner[1]], &n2 = normals[corner[2]];
     const float u = rays.hit.u[lane], v = rays.hit.v[lane], w = 1 - u - v;
     std::array<float, 3> normal;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      normal[axis] = w * corner[0][axis] + u * corner[1][axis] + v * corner[2][axis];
+      normal[axis] = w * n0[axis] + u * n1[axis] + v * n2[axis];
     set(hits.normal, normal);
   }
   if (!instanced) return;
@@ -95,19 +95,22 @@ void EmbreeScene::shading_tangents(Hits& hits) const {
 Corners EmbreeScene::corners(int object, int primitive) const {
   const Placed& placed = placed_[static_cast<std::size_t>(object)];
   const auto index = static_cast<std::size_t>(primitive);
-  const std::vector<CornerNormals>& normals = placed.instance ? *placed.shared : placed.normals;
   Corners corners{};
   corners.across = mapped(placed.to_world, z_axis, 0);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t vertex = placed.mesh->triangles[index][i];
-    corners.position[i] = mapped(placed.to_world, placed.mesh->positions[vertex], 1);
+    const Double3 at = placed.mesh->positions[vertex];
+    Float3 position;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      position[axis] = static_cast<float>(at[axis] - placed.center[axis]);
+    corners.position[i] = mapped(placed.to_world, position, 1);
     if (tangents_) corners.tangent[i] = corner_tangent(placed, vertex);
-    if (normals.empty()) continue;
-    corners.normal[i] = normals[index][i];
+    if (placed.normals == nullptr) continue;
+    const Float3& n = placed.normals[vertex];
+    corners.normal[i] = n;
     if (!placed.instance) continue;
     for (std::size_t row = 0; row < 3; ++row) {
       const auto& r = placed.to_world_normals[row];
-      const auto& n = normals[index][i];
       corners.normal[i][row] = r[0] * n[0] + r[1] * n[1] + r[2] * n[2];
     }
   }

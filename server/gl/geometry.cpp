@@ -7,6 +7,7 @@
 
 #include "metamer/v1/scene.pb.h"
 #include "server/gl/boxes.h"
+#include "server/scene/placement.h"
 
 namespace metamer::gl {
 namespace {
@@ -33,10 +34,6 @@ struct Lists {
 
 void append(std::vector<float>& to, const Eigen::Vector3d& v) {
   for (int i = 0; i < 3; ++i) to.push_back(static_cast<float>(v[i]));
-}
-
-Eigen::Vector3d to_vector(const std::array<float, 3>& v) {
-  return Eigen::Map<const Eigen::Vector3f>(v.data()).cast<double>();
 }
 
 void add_rows(const Eigen::Affine3d& map, float (&to)[3][4]) {

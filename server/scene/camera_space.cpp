@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "server/scene/placement.h"
+
 namespace metamer {
 namespace {
 
@@ -22,9 +24,7 @@ Eigen::Vector3d position(const RenderLight& light, std::size_t at) {
 /// The distance from the eye to the farthest corner of anything.
 double reach(const RenderScene& scene) {
   std::vector<Eigen::AlignedBox3d> boxes(scene.meshes.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i)
-    for (const auto& p : scene.meshes[i].positions)
-      boxes[i].extend(Eigen::Vector3d(p[0], p[1], p[2]));
+  for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = box_of(scene.meshes[i].positions);
   const Eigen::AlignedBox3d unit(Eigen::Vector3d::Constant(-1), Eigen::Vector3d::Constant(1));
 
   double farthest = 0;

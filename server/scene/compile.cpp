@@ -12,7 +12,6 @@
 #include "common/scene/limits.h"
 #include "common/scene/reflection.h"
 #include "common/spectral/lines.h"
-#include "server/scene/mesh_import.h"
 #include "server/scene/placement.h"
 
 namespace metamer {
@@ -82,8 +81,9 @@ lights::Values<double> light_parameters(const ChosenLight& light) {
 /// Builds one scene and gathers what is wrong with it.
 class Compiler {
  public:
-  Compiler(const v1::Scene& scene, const AssetReader& assets, const std::atomic<bool>& cancelled)
-      : scene_(scene), assets_(assets), cancelled_(cancelled) {}
+  Compiler(const v1::Scene& scene, const AssetReader& assets, const MeshImport& import,
+           const std::atomic<bool>& cancelled)
+      : scene_(scene), assets_(assets), import_(import), cancelled_(cancelled) {}
 
   enum class Parts { all, appearance };
   tl::expected<RenderScene, std::vector<Problem>> run(Parts parts) {
@@ -93,6 +93,7 @@ class Compiler {
     observer();
     for (int i = 0; i < scene_.light_size(); ++i) light(i);
     for (int i = 0; i < scene_.material_size(); ++i) material(i);
+    if (parts == Parts::all) import_files();
     if (parts == Parts::all)
       for (int i = 0; i < scene_.object_size() && !cancelled_; ++i) object(i);
     if (cancelled_ || !problems_.empty()) return tl::unexpected(std::move(problems_));
@@ -197,7 +198,7 @@ class Compiler {
         .to_world = placement(object.transform())};
     switch (object.shape_case()) {
       case v1::Object::kMesh:
-        to.mesh = mesh(object.mesh().file(), "object[" + std::to_string(index) + "].mesh.file");
+        to.mesh = known_meshes_.at(object.mesh().SerializeAsString());
         break;
       case v1::Object::kQuad:
         to.mesh = quad(object.quad());
@@ -244,38 +245,61 @@ class Compiler {
   const Eigen::AlignedBox3d& bounds(std::uint32_t mesh) {
     while (mesh_bounds_.size() <= mesh) {
       Eigen::AlignedBox3d& box = mesh_bounds_.emplace_back();
-      for (const auto& p : result_.meshes[mesh_bounds_.size() - 1].positions)
-        box.extend(Eigen::Vector3d(p[0], p[1], p[2]));
+      box = box_of(result_.meshes[mesh_bounds_.size() - 1].positions);
     }
     return mesh_bounds_[mesh];
   }
 
-  std::uint32_t mesh(const std::string& file, const std::string& field) {
-    const auto [place, is_new] =
-        known_meshes_.try_emplace(file, static_cast<std::uint32_t>(result_.meshes.size()));
-    if (is_new) {
-      auto imported = import_mesh(file, assets_, needs_tangents_);
-      if (!imported) {
-        imported.error().field = field;
-        problems_.push_back(std::move(imported.error()));
+  /// Reads each file once, whatever objects make of it.
+  void import_files() {
+    std::vector<MeshRequest> requests;
+    std::vector<std::vector<std::string>> keys;  ///< Of their meshes.
+    std::map<std::string, std::size_t> places;
+    for (int i = 0; i < scene_.object_size(); ++i) {
+      if (!scene_.object(i).has_mesh()) continue;
+      const v1::Mesh& mesh = scene_.object(i).mesh();
+      const std::string key = mesh.SerializeAsString();
+      if (!known_meshes_.try_emplace(key, 0).second) continue;
+      const auto [place, is_new] = places.try_emplace(mesh.file(), requests.size());
+      if (is_new) {
+        requests.push_back({mesh.file(), {}});
+        keys.emplace_back();
       }
-      result_.meshes.push_back(imported ? std::move(*imported) : TriangleMesh{});
+      keys[place->second].push_back(key);
+      requests[place->second].meshes.push_back(
+          {"object[" + std::to_string(i) + "].mesh",
+           {mesh.part(),
+            mesh.has_crease_angle() ? std::optional(mesh.crease_angle()) : std::nullopt,
+            needs_tangents_}});
     }
-    return place->second;
+    for (std::size_t i = 0; i < requests.size() && !cancelled_; ++i)
+      take_meshes(import_(requests[i]), requests[i], keys[i]);
+  }
+
+  void take_meshes(Result<std::vector<TriangleMesh>> imported, const MeshRequest& request,
+                   const std::vector<std::string>& keys) {
+    if (!imported) {
+      problems_.push_back(std::move(imported.error()));
+      imported.emplace(keys.size());  // Objects are checked all the same.
+    }
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      known_meshes_[keys[i]] = static_cast<std::uint32_t>(result_.meshes.size());
+      note((*imported)[i].notes, request.meshes[i].field + ".file");
+      result_.meshes.push_back(std::move((*imported)[i]));
+    }
   }
 
   /// A quad is a mesh of its own around its corner, where f32 is finest.
   std::uint32_t quad(const v1::Quad& quad) {
     const Eigen::Vector3d u = to_vector(quad.u()), v = to_vector(quad.v());
+    const auto f32 = [](const Eigen::Vector3d& p) {
+      return Float3{static_cast<float>(p.x()), static_cast<float>(p.y()),
+                    static_cast<float>(p.z())};
+    };
     TriangleMesh mesh;
-    for (const Eigen::Vector3d& p : {Eigen::Vector3d(0, 0, 0), u, Eigen::Vector3d(u + v), v})
-      mesh.positions.push_back(
-          {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
-    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-    if (needs_tangents_) {
-      const Eigen::Vector3f along = unit(u).cast<float>();
-      mesh.tangents.assign(4, {along.x(), along.y(), along.z()});
-    }
+    mesh.positions = Array<Float3>(std::vector<Float3>{{}, f32(u), f32(u + v), f32(v)});
+    mesh.triangles = std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}};
+    if (needs_tangents_) mesh.tangents = std::vector<Float3>(4, f32(unit(u)));
     result_.meshes.push_back(std::move(mesh));
     return static_cast<std::uint32_t>(result_.meshes.size() - 1);
   }
@@ -293,12 +317,14 @@ class Compiler {
 
   const v1::Scene& scene_;
   const AssetReader& assets_;
+  const MeshImport& import_;
   const std::atomic<bool>& cancelled_;
   RenderScene result_;
   std::vector<Problem> problems_;
   SpectrumIndex known_emissions_, known_properties_, known_constants_;
-  bool needs_tangents_ = false;  ///< Of any material.
-  std::map<std::string, std::uint32_t> known_meshes_, known_materials_;
+  bool needs_tangents_ = false;                        ///< Of any material.
+  std::map<std::string, std::uint32_t> known_meshes_;  ///< By their message.
+  std::map<std::string, std::uint32_t> known_materials_;
   std::vector<Eigen::AlignedBox3d> mesh_bounds_;
 };
 
@@ -306,14 +332,15 @@ class Compiler {
 
 tl::expected<RenderScene, std::vector<Problem>> compile_scene(const v1::Scene& scene,
                                                               const AssetReader& assets,
+                                                              const MeshImport& meshes,
                                                               const std::atomic<bool>& cancelled) {
-  return Compiler(scene, assets, cancelled).run(Compiler::Parts::all);
+  return Compiler(scene, assets, meshes, cancelled).run(Compiler::Parts::all);
 }
 
 tl::expected<RenderScene, std::vector<Problem>> compile_appearance(const v1::Scene& scene,
                                                                    const AssetReader& assets) {
   const std::atomic<bool> never = false;
-  return Compiler(scene, assets, never).run(Compiler::Parts::appearance);
+  return Compiler(scene, assets, MeshImport(), never).run(Compiler::Parts::appearance);
 }
 
 RenderCamera compile_camera(const v1::Camera& camera) {

@@ -1,20 +1,31 @@
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
+#include "common/mesh/mesh_file.h"
 #include "common/problem.h"
 #include "common/scene/validate.h"
-#include "server/scene/render_scene.h"
 
 namespace metamer {
 
-/// Reads PLY, OBJ or glTF 2.0 (by the extension of `name`) through Assimp, all meshes of the file
-/// joined into one in the file's own coordinates. Files that the file names in turn (a .gltf's
-/// buffers) come from `assets` too: nothing is opened by path. Errors: a format that can't be read,
-/// no triangles, a vertex or normal that is not finite or too far out, too many triangles.
-/// `tangents`: also these, from the UVs, as far as there are any.
-/// Only for the worker: importers are not safe against hostile files.
-Result<TriangleMesh> import_mesh(const std::string& name, const AssetReader& assets,
-                                 bool tangents = false);
+/// The meshes that a scene makes of one of its files.
+struct MeshRequest {
+  std::string file;
+  struct Mesh {
+    std::string field;  ///< Of the scene, that asks first: "object[2].mesh".
+    MeshUse use;
+  };
+  std::vector<Mesh> meshes;
+};
+
+/// Imports a file: its meshes in their order. Errors, with their field: see read_mesh(),
+/// triangles_of().
+using MeshImport = std::function<Result<std::vector<TriangleMesh>>(const MeshRequest&)>;
+
+/// In this process and thread.
+Result<std::vector<TriangleMesh>> import_meshes(const MeshRequest& request, const MeshBytes& files);
+MeshImport import_here(const AssetReader& assets);
 
 }  // namespace metamer

@@ -4,11 +4,21 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/mesh/triangle_mesh.h"
 #include "metamer/v1/scene.pb.h"
 
 namespace metamer {
 
 inline Eigen::Vector3d to_vector(const v1::Vec3& v) { return {v.x(), v.y(), v.z()}; }
+inline Eigen::Vector3d to_vector(const Float3& v) { return {v[0], v[1], v[2]}; }
+inline Eigen::Vector3d to_vector(const Double3& v) { return {v[0], v[1], v[2]}; }
+
+/// The box around a mesh in its own space; empty where there are none.
+inline Eigen::AlignedBox3d box_of(const Positions& positions) {
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = 0; i < positions.size(); ++i) box.extend(to_vector(positions[i]));
+  return box;
+}
 
 /// Of the largest number in `m`, as a power of two; 0 where all are 0. Scaled by its inverse, the
 /// largest lies in 1..2, so that no product over- or underflows, and nothing is rounded.

@@ -7,22 +7,12 @@
 #include <vector>
 
 #include "common/lights/registry.h"
+#include "common/mesh/triangle_mesh.h"
 #include "common/models/reflection.h"
 #include "common/scene/fresnel.h"
 #include "common/spectral/cie.h"
 
 namespace metamer {
-
-/// Triangles in their own space. All positions are finite.
-struct TriangleMesh {
-  std::vector<std::array<float, 3>> positions;
-  std::vector<std::array<float, 3>> normals;  ///< One for each position, unit; empty: flat.
-  /// One for each position, towards rising u; 0 where the file has no UVs; empty: nowhere, or no
-  /// material asks.
-  std::vector<std::array<float, 3>> tangents;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::uint64_t skipped_faces = 0;  ///< Of its file: those without three corners.
-};
 
 struct RenderCamera {
   Eigen::Vector3d eye;

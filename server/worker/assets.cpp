@@ -1,25 +1,59 @@
 #include "server/worker/assets.h"
 
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <fstream>
 #include <map>
+#include <memory>
 
 #include "common/digest.h"
 #include "common/scene/limits.h"
 
 namespace metamer::worker {
 
-Result<std::string> read_stored(const std::filesystem::path& store, const std::string& digest) {
+namespace {
+
+struct StoredFile {
+  std::filesystem::path path;
+  std::size_t size;
+};
+
+Result<StoredFile> find_stored(const std::filesystem::path& store, const std::string& digest) {
   const auto known = digest_from_bytes(digest);
   if (!known) return problem("has no digest");
-  const std::filesystem::path file = store / to_hex(*known);
+  std::filesystem::path path = store / to_hex(*known);
   std::error_code error;
-  const auto size = std::filesystem::file_size(file, error);
+  const auto size = std::filesystem::file_size(path, error);
   if (error) return problem("is not in the store");
   if (size > limits::max_asset) return problem("is too large");
-  std::string bytes(size, '\0');
-  std::ifstream in(file, std::ios::binary);
-  if (!in.read(bytes.data(), static_cast<std::streamsize>(size))) return problem("can't be read");
+  return StoredFile{std::move(path), size};
+}
+
+}  // namespace
+
+Result<std::string> read_stored(const std::filesystem::path& store, const std::string& digest) {
+  const auto file = find_stored(store, digest);
+  if (!file) return tl::unexpected(file.error());
+  std::string bytes(file->size, '\0');
+  std::ifstream in(file->path, std::ios::binary);
+  if (!in.read(bytes.data(), static_cast<std::streamsize>(file->size)))
+    return problem("can't be read");
   return bytes;
+}
+
+Result<Bytes> map_stored(const std::filesystem::path& store, const std::string& digest) {
+  const auto file = find_stored(store, digest);
+  if (!file) return tl::unexpected(file.error());
+  const std::size_t size = file->size;
+  if (size == 0) return Bytes();
+  const int fd = open(file->path.c_str(), O_RDONLY | O_CLOEXEC);
+  void* const at = fd < 0 ? MAP_FAILED : mmap(nullptr, size, PROT_READ, MAP_PRIVATE, fd, 0);
+  if (fd >= 0) close(fd);
+  if (at == MAP_FAILED) return problem("can't be read");
+  const std::shared_ptr<void> owner(at, [size](void* from) { munmap(from, size); });
+  return Bytes(owner, {static_cast<const char*>(at), size});
 }
 
 AssetReader stored_assets(const AssetNames& names, const std::filesystem::path& store) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "common/mesh/mesh_file.h"
 #include "common/scene/validate.h"
 #include "metamer/v1/jobs.pb.h"
 #include "metamer/v1/scene.pb.h"
@@ -12,6 +13,9 @@ namespace metamer::worker {
 
 /// An asset's bytes from the store. The daemon has checked digest and size.
 Result<std::string> read_stored(const std::filesystem::path& store, const std::string& digest);
+
+/// The same without a copy, for a process that may die of a file that is cut short meanwhile.
+Result<Bytes> map_stored(const std::filesystem::path& store, const std::string& digest);
 
 using AssetNames = google::protobuf::RepeatedPtrField<v1::AssetName>;
 

@@ -75,7 +75,8 @@ void Job::compile(const v1::CompileJob& message) {
   // Compile it: names, spectra and meshes become flat arrays.
   tl::expected<RenderScene, std::vector<Problem>> compiled;
   view_turns_.serve_while([&] {
-    compiled = compile_scene(scene, stored_assets(message.asset(), options_.store), stopped_);
+    compiled = compile_scene(scene, stored_assets(message.asset(), options_.store),
+                             options_.meshes(message.asset(), stopped_), stopped_);
   });
   ++work_;
   if (stopped_) return send_stopped();

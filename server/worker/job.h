@@ -10,6 +10,7 @@
 #include "common/problem.h"
 #include "metamer/v1/worker.pb.h"
 #include "server/film/film.h"
+#include "server/import/importer.h"
 #include "server/methods/method.h"
 #include "server/plan/plan.h"
 #include "server/render/renderer.h"
@@ -23,12 +24,19 @@ namespace metamer::worker {
 struct WorkerOptions {
   std::filesystem::path store;  ///< Assets, by their hex digest.
   unsigned threads = 0;
-  Backend* backend = nullptr;  ///< What it draws by.
-  int film_descriptor = -1;    ///< Shared memory, sized by the daemon.
+  Backend* backend = nullptr;                  ///< What it draws by.
+  int film_descriptor = -1;                    ///< Shared memory, sized by the daemon.
+  const import::Importer* importer = nullptr;  ///< Reads mesh files.
 
   /// As plans see them.
   Capabilities plan_capabilities() const {
     return {.threads = threads, .backend = backend->name(), .features = backend->features()};
+  }
+  /// Of a scene's files, in the importer. What is named has to outlive it.
+  MeshImport meshes(const AssetNames& names, const std::atomic<bool>& cancelled) const {
+    return [this, &names, &cancelled](const MeshRequest& request) {
+      return importer->import(request, names, cancelled);
+    };
   }
 };
 

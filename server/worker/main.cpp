@@ -50,6 +50,13 @@ int run(metamer::worker::WorkerOptions options, const std::string& gl_device) {
     return 1;
   }
 #endif
+  // Before there is a thread, and before anything is open that a file's reader has no use for.
+  const auto importer = metamer::import::Importer::start(options.store);
+  if (!importer) {
+    std::perror("metamer-worker: can't start the importer");
+    return 1;
+  }
+  options.importer = importer.get();
   metamer::worker::Link link(link_descriptor);
   std::unique_ptr<metamer::gl::Device> device;
   std::unique_ptr<metamer::Backend> backend;

@@ -1,18 +1,37 @@
 #include "server/worker/problems.h"
 
+#include <algorithm>
+
+#include "common/scene/findings.h"
+
 namespace metamer::worker {
+namespace {
+
+/// The beginning of a text that may have come from a file's bytes.
+std::string shown(const std::string& text, std::size_t most) {
+  std::string cut = text.substr(0, most);
+  while (!cut.empty() && cut.size() < text.size() && (text[cut.size()] & 0xC0) == 0x80)
+    cut.pop_back();  // Not in the middle of a character.
+  if (!is_utf8(cut))
+    std::replace_if(
+        cut.begin(), cut.end(), [](char c) { return (c & 0x80) != 0; }, '?');
+  return cut;
+}
+
+}  // namespace
+
+void set_problem(const Problem& problem, v1::Problem& to) {
+  to.set_field(shown(problem.field, 500));
+  to.set_file(shown(problem.file, 500));
+  to.set_line(static_cast<std::uint32_t>(problem.line));
+  to.set_column(static_cast<std::uint32_t>(problem.column));
+  to.set_message(shown(problem.message, 1000));
+}
 
 void add_problems(const std::vector<Problem>& problems,
                   google::protobuf::RepeatedPtrField<v1::Problem>& to) {
   // A hostile scene can have more problems than a frame holds; nobody reads the 101st.
-  for (std::size_t i = 0; i < problems.size() && i < 100; ++i) {
-    v1::Problem& problem = *to.Add();
-    problem.set_field(problems[i].field.substr(0, 500));
-    problem.set_file(problems[i].file.substr(0, 500));
-    problem.set_line(static_cast<std::uint32_t>(problems[i].line));
-    problem.set_column(static_cast<std::uint32_t>(problems[i].column));
-    problem.set_message(problems[i].message.substr(0, 1000));
-  }
+  for (std::size_t i = 0; i < problems.size() && i < 100; ++i) set_problem(problems[i], *to.Add());
 }
 
 }  // namespace metamer::worker

@@ -11,7 +11,8 @@ using Outcome = tl::expected<ImportedScene, std::vector<Problem>>;
 
 Outcome import(v1::Scene message, AssetNames names, int of_objects, const WorkerOptions& options,
                const std::atomic<bool>& cancelled) {
-  auto compiled = compile_scene(message, stored_assets(names, options.store), cancelled);
+  auto compiled = compile_scene(message, stored_assets(names, options.store),
+                                options.meshes(names, cancelled), cancelled);
   if (!compiled) return tl::unexpected(std::move(compiled.error()));
   ImportedScene result;
   result.space = CameraSpace::of(*compiled);

@@ -22,20 +22,25 @@ std::array<float, 3> normal(double x, double z) {
 
 /// The stripe from x0 to x0 + width, as a mesh.
 TriangleMesh stripe(double x0, double width, unsigned columns, unsigned rows) {
-  TriangleMesh mesh;
+  std::vector<Float3> positions, normals;
+  std::vector<Triangle> triangles;
   for (unsigned row = 0; row <= rows; ++row)
     for (unsigned column = 0; column <= columns; ++column) {
       const double x = x0 + width * column / columns, z = -2 + 4.0 * row / rows;
-      mesh.positions.push_back(
+      positions.push_back(
           {static_cast<float>(x), static_cast<float>(height(x, z)), static_cast<float>(z)});
-      mesh.normals.push_back(normal(x, z));
+      normals.push_back(normal(x, z));
     }
   for (unsigned row = 0; row < rows; ++row)
     for (unsigned column = 0; column < columns; ++column) {
       const unsigned a = row * (columns + 1) + column, b = a + columns + 1;
-      mesh.triangles.push_back({a, b, a + 1});
-      mesh.triangles.push_back({a + 1, b, b + 1});
+      triangles.push_back({a, b, a + 1});
+      triangles.push_back({a + 1, b, b + 1});
     }
+  TriangleMesh mesh;
+  mesh.positions = Array(std::move(positions));
+  mesh.normals = std::move(normals);
+  mesh.triangles = std::move(triangles);
   return mesh;
 }
 

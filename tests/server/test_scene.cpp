@@ -24,7 +24,7 @@ RenderScene compile_text(const std::string& text) {
   const AssetReader none = [](const std::string&) -> Result<std::string> {
     return problem("no assets here");
   };
-  auto compiled = compile_scene(parse_scene(text), none, never);
+  auto compiled = compile_scene(parse_scene(text), none, import_here(none), never);
   if (!compiled)
     throw std::invalid_argument(compiled.error().front().field + ": " +
                                 compiled.error().front().message);

@@ -61,9 +61,9 @@ TEST(EmbreeScene, AnInstanceIsWhereItsTransformPutsIt) {
   // The same mesh twice becomes two instances; alone, each is placed. Both must agree.
   RenderScene pair = unit_ball();
   TriangleMesh mesh;
-  mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
-  mesh.normals = {{-0.6f, 0, 0.8f}, {0.6f, 0, 0.8f}, {0, 0, 1}};
-  mesh.triangles = {{0, 1, 2}};
+  mesh.positions = Array(std::vector<Float3>{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}});
+  mesh.normals = std::vector<Float3>{{-0.6f, 0, 0.8f}, {0.6f, 0, 0.8f}, {0, 0, 1}};
+  mesh.triangles = std::vector<Triangle>{{0, 1, 2}};
   pair.meshes = {mesh};
   Eigen::Affine3d place = Eigen::Translation3d(0.3, 0.2, 1) *
                           Eigen::AngleAxisd(0.5, Eigen::Vector3d(1, 2, 3).normalized()) *

@@ -105,10 +105,13 @@ TEST_F(GlExtremes, TrianglesWithoutAreaAreNotSeen) {
   const std::string text = scene("width: 64 height: 48 spp: 4", ball);
   RenderScene degenerate = to_camera_space(test::compile_text(text));
   TriangleMesh& floor = degenerate.meshes.front();
-  floor.positions.push_back(floor.positions.front());  // a line: twice the same place
-  for (const std::array<std::uint32_t, 3>& corners :
-       {std::array<std::uint32_t, 3>{0, 0, 0}, {0, 1, 1}, {0, 4, 2}})
-    floor.triangles.insert(floor.triangles.begin(), corners);
+  const auto& corners = floor.positions.f32();
+  std::vector<Float3> positions(corners.begin(), corners.end());
+  positions.push_back(positions.front());  // a line: twice the same place
+  std::vector<Triangle> triangles = {{0, 0, 0}, {0, 1, 1}, {0, 4, 2}};
+  triangles.insert(triangles.end(), floor.triangles.begin(), floor.triangles.end());
+  floor.positions = Array(positions);
+  floor.triangles = triangles;
   const std::vector<float> with = render(degenerate, text + " # degenerate");
   EXPECT_EQ(with, render(text));
 }
@@ -274,20 +277,24 @@ TEST_F(GlExtremes, AContextThatGoesAwayUnderARendererIsAMessage) {
 
 /// A floor of so many squares a side, a little hilly.
 TriangleMesh hills(std::uint32_t side) {
-  TriangleMesh mesh;
+  std::vector<Float3> positions;
+  std::vector<Triangle> triangles;
   for (std::uint32_t z = 0; z <= side; ++z)
     for (std::uint32_t x = 0; x <= side; ++x) {
       const float u = static_cast<float>(x) / static_cast<float>(side);
       const float v = static_cast<float>(z) / static_cast<float>(side);
-      mesh.positions.push_back(
+      positions.push_back(
           {6 * u - 3, 0.2f * std::sin(20 * u) * std::cos(20 * v) - 0.5f, -6 * v - 2});
     }
   const auto at = [=](std::uint32_t x, std::uint32_t z) { return z * (side + 1) + x; };
   for (std::uint32_t z = 0; z < side; ++z)
     for (std::uint32_t x = 0; x < side; ++x) {
-      mesh.triangles.push_back({at(x, z), at(x + 1, z), at(x, z + 1)});
-      mesh.triangles.push_back({at(x + 1, z), at(x + 1, z + 1), at(x, z + 1)});
+      triangles.push_back({at(x, z), at(x + 1, z), at(x, z + 1)});
+      triangles.push_back({at(x + 1, z), at(x + 1, z + 1), at(x, z + 1)});
     }
+  TriangleMesh mesh;
+  mesh.positions = Array(std::move(positions));
+  mesh.triangles = std::move(triangles);
   return mesh;
 }
 

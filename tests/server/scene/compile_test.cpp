@@ -15,14 +15,12 @@ const std::atomic<bool> never = false;
 using Files = std::map<std::string, std::string>;
 
 auto compile_with(const std::string& text, const Files& files) {
-  return compile_scene(
-      test::parse_scene(text),
-      [&](const std::string& name) -> Result<std::string> {
-        const auto found = files.find(name);
-        if (found == files.end()) return problem("was not sent along");
-        return found->second;
-      },
-      never);
+  const AssetReader assets = [&](const std::string& name) -> Result<std::string> {
+    const auto found = files.find(name);
+    if (found == files.end()) return problem("was not sent along");
+    return found->second;
+  };
+  return compile_scene(test::parse_scene(text), assets, import_here(assets), never);
 }
 
 std::string scene(const std::string& material, const std::string& objects) {

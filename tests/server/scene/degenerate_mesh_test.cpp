@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "server/scene/mesh_import.h"
+#include "tests/server/scene/import_one.h"
 
 // Faces and vertices that make no triangle, in each format: a mesh or a message, and never the end
 // of the process, which draws other people's pictures, too.
@@ -47,7 +47,7 @@ std::string ply(const Vertices& vertices, const Faces& faces, Format format) {
 }
 
 Result<TriangleMesh> import_text(const std::string& name, const std::string& text) {
-  return import_mesh(name, [&](const std::string&) -> Result<std::string> { return text; });
+  return test::import_one(name, [&](const std::string&) -> Result<std::string> { return text; });
 }
 
 TEST(DegenerateMesh, AFaceOfAPlyWithFewerThanThreeCornersIsSkippedAndCounted) {

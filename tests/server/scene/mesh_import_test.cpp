@@ -1,4 +1,4 @@
-#include "server/scene/mesh_import.h"
+#include "tests/server/scene/import_one.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,8 @@ Result<TriangleMesh> square(const std::string& vertices, int count, const std::s
                            "\nproperty float x\nproperty float y\nproperty float z\n"
                            "element face 2\nproperty list uchar int vertex_indices\nend_header\n" +
                            vertices + faces;
-  return import_mesh("square.ply", [&](const std::string&) -> Result<std::string> { return text; });
+  return test::import_one("square.ply",
+                          [&](const std::string&) -> Result<std::string> { return text; });
 }
 
 const std::string corners = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";

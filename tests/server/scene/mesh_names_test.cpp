@@ -4,7 +4,7 @@
 #include <string>
 
 #include "common/scene/gltf.h"
-#include "server/scene/mesh_import.h"
+#include "tests/server/scene/import_one.h"
 
 namespace metamer {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 using Files = std::map<std::string, std::string>;
 
 Result<TriangleMesh> import_from(const Files& files, const std::string& name) {
-  return import_mesh(name, [&](const std::string& asset) -> Result<std::string> {
+  return test::import_one(name, [&](const std::string& asset) -> Result<std::string> {
     const auto found = files.find(asset);
     if (found == files.end()) return problem("no file " + asset);
     return found->second;

@@ -39,6 +39,8 @@ WorkerTest::WorkerTest() : link_(worker_end(ends_)) {
               .threads = 1,
               .backend = &backend_,
               .film_descriptor = memfd_create("film", 0)};
+  importer_ = import::Importer::start(options_.store);
+  options_.importer = importer_.get();
   EXPECT_EQ(ftruncate(options_.film_descriptor, 64 * 64 * 12), 0);
 }
 

@@ -26,6 +26,7 @@ class WorkerTest : public ::testing::Test {
 
   FakeBackend backend_;
   WorkerOptions options_;
+  std::unique_ptr<import::Importer> importer_;
   Work work_ = 0;
 
  private:
