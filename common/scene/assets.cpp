@@ -5,7 +5,7 @@
 
 #include "common/scene/files.h"
 #include "common/scene/findings.h"
-#include "common/scene/gltf.h"
+#include "common/mesh/gltf/buffers.h"
 #include "common/scene/limits.h"
 #include "common/scene/names.h"
 #include "common/scene/scene_file.h"

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "check.h"
-#include "common/scene/gltf.h"
+#include "common/mesh/gltf/buffers.h"
 #include "common/scene/scene_file.h"
 #include "common/scene/settings.h"
 #include "common/scene/validate.h"

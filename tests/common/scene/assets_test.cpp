@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "common/scene/gltf.h"
+#include "common/mesh/gltf/buffers.h"
 #include "common/scene/limits.h"
 #include "common/scene/scene_file.h"
 #include "scene_text.h"

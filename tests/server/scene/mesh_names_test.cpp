@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "common/scene/gltf.h"
+#include "common/mesh/gltf/buffers.h"
 #include "tests/server/scene/import_one.h"
 
 namespace metamer {

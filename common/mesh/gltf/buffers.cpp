@@ -1,4 +1,4 @@
-#include "common/scene/gltf.h"
+#include "common/mesh/gltf/buffers.h"
 
 #include <algorithm>
 #include <charconv>
@@ -39,6 +39,15 @@ std::optional<std::string> percent_decode(std::string_view uri) {
   return text;
 }
 
+Result<std::string> buffer_file(const std::string& uri, const std::string& name) {
+  if (has_scheme(uri)) return problem("names the buffer " + quoted(uri) + ", which is not a file");
+  const auto decoded = percent_decode(uri);
+  if (!decoded || decoded->empty())
+    return problem("names the buffer " + quoted(uri) + ", which is not a URI");
+  const auto path = std::filesystem::path(name).parent_path() / *decoded;
+  return path.lexically_normal().string();
+}
+
 Result<std::vector<std::string>> gltf_buffers(std::string_view text, const std::string& name) {
   const std::string file = "file " + quoted(name) + " ";
   const json document = json::parse(text, nullptr, false);
@@ -61,18 +70,10 @@ Result<std::vector<std::string>> gltf_buffers(std::string_view text, const std::
     }
     const auto& written = uri->get_ref<const std::string&>();
     if (written.starts_with("data:")) continue;
-    if (has_scheme(written)) {
-      return problem(file + "names the buffer " + quoted(written) + ", which is not a file");
-    }
-    const auto decoded = percent_decode(written);
-    if (!decoded || decoded->empty()) {
-      return problem(file + "names the buffer " + quoted(written) + ", which is not a URI");
-    }
-    const auto path = std::filesystem::path(name).parent_path() / *decoded;
-    std::string resolved = path.lexically_normal().string();
-    if (std::find(names.begin(), names.end(), resolved) == names.end()) {
-      names.push_back(std::move(resolved));
-    }
+    auto resolved = buffer_file(written, name);
+    if (!resolved) return problem(file + resolved.error().message);
+    if (std::find(names.begin(), names.end(), *resolved) == names.end())
+      names.push_back(*std::move(resolved));
   }
   return names;
 }

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "common/mesh/gltf/value.h"
+#include "common/mesh/mesh_file.h"
+
+namespace metamer::gltf {
+
+/// A .gltf or a .glb: its JSON, and its buffers, read when they are first asked for.
+class Document {
+ public:
+  /// Errors: neither glTF nor a whole .glb of version 2; JSON of more than max_gltf_text; an
+  /// extension that is required and unknown. `files` has to outlive it.
+  static Result<Document> open(const Bytes& bytes, const std::string& name,
+                               const MeshBytes& files);
+
+  /// The JSON's top.
+  Value root() const { return {&*json_, {}, *faults_}; }
+  const std::optional<std::string>& fault() const { return faults_->first(); }
+
+  /// `length` bytes of a buffer from `offset` on; a fault and none: there are not so many.
+  std::span<const char> bytes(const Value& buffer, std::uint64_t offset, std::uint64_t length);
+
+ private:
+  Document() = default;
+  Result<Bytes> read(std::size_t buffer);
+
+  std::string name_;
+  const MeshBytes* files_ = nullptr;
+  std::unique_ptr<nlohmann::json> json_;
+  std::unique_ptr<Faults> faults_ = std::make_unique<Faults>();
+  Bytes binary_;  ///< A .glb's own.
+  std::vector<std::optional<Result<Bytes>>> buffers_;
+};
+
+}  // namespace metamer::gltf

@@ -1,0 +1,95 @@
+#include "common/mesh/gltf/nodes.h"
+
+#include <algorithm>
+
+namespace metamer::gltf {
+namespace {
+
+Eigen::Affine3d local_transform(const Value& node) {
+  if (const auto m = node["matrix"].numbers(16)) {
+    Eigen::Affine3d map;
+    map.matrix() = Eigen::Map<const Eigen::Matrix4d>(m->data());  // By columns, as Eigen has them.
+    if (map.matrix().row(3) != Eigen::RowVector4d(0, 0, 0, 1))
+      node["matrix"].fault("is not affine");
+    return map;
+  }
+  const auto t = node["translation"].numbers(3), r = node["rotation"].numbers(4),
+             s = node["scale"].numbers(3);
+  return transform(t ? Eigen::Vector3d(t->data()) : Eigen::Vector3d::Zero(),
+                   r ? Eigen::Vector4d(r->data()) : Eigen::Vector4d(0, 0, 0, 1),
+                   s ? Eigen::Vector3d(s->data()) : Eigen::Vector3d::Ones());
+}
+
+/// Where the walk begins.
+std::vector<std::size_t> roots(const Document& document, std::size_t count) {
+  const Value root = document.root(), scenes = root["scenes"];
+  std::vector<std::size_t> list;
+  if (scenes.size() > 0) {
+    const Value scene = root["scene"];
+    const Value nodes = scenes[scene ? scene.index(scenes.size()).value_or(0) : 0]["nodes"];
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (const auto at = nodes[i].index(count)) list.push_back(*at);
+    return list;
+  }
+  std::vector<bool> is_child(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Value children = root["nodes"][i]["children"];
+    for (std::size_t c = 0; c < children.size(); ++c)
+      if (const auto at = children[c].index(count)) is_child[*at] = true;
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    if (!is_child[i]) list.push_back(i);
+  return list;
+}
+
+}  // namespace
+
+Eigen::Affine3d transform(const Eigen::Vector3d& translation, const Eigen::Vector4d& rotation,
+                          const Eigen::Vector3d& scale) {
+  Eigen::Affine3d map = Eigen::Affine3d::Identity();
+  map.translate(translation);
+  if (rotation.norm() > 0) map.rotate(Eigen::Quaterniond(rotation.normalized()));
+  return map.scale(scale);
+}
+
+std::vector<PlacedNode> placed_nodes(const Document& document) {
+  const Value nodes = document.root()["nodes"];
+  const std::size_t count = nodes.size();
+  std::vector<PlacedNode> placed;
+  std::vector<bool> met(count);
+  std::vector<PlacedNode> next;
+  const auto begin = roots(document, count);
+  for (auto root = begin.rbegin(); root != begin.rend(); ++root)
+    next.push_back({*root, Eigen::Affine3d::Identity()});
+  while (!next.empty() && !document.fault()) {
+    PlacedNode node = next.back();
+    next.pop_back();
+    if (met[node.index]) {
+      nodes[node.index].fault("is met twice on the way through the scene");
+      break;
+    }
+    met[node.index] = true;
+    node.to_world = node.to_world * local_transform(nodes[node.index]);
+    const Value children = nodes[node.index]["children"];
+    for (std::size_t i = children.size(); i-- > 0;)
+      if (const auto child = children[i].index(count)) next.push_back({*child, node.to_world});
+    placed.push_back(node);
+  }
+  return placed;
+}
+
+std::string name_of_node(const Document& document, std::size_t index) {
+  const Value root = document.root(), node = root["nodes"][index];
+  std::string name = node["name"].text();
+  if (name.empty())
+    if (const auto mesh = node["mesh"].index(root["meshes"].size()))
+      name = root["meshes"][*mesh]["name"].text();
+  return name.empty() ? "node_" + std::to_string(index) : name;
+}
+
+std::string name_of_material(const Document& document, std::size_t index) {
+  const std::string name = document.root()["materials"][index]["name"].text();
+  return name.empty() ? "material_" + std::to_string(index) : name;
+}
+
+}  // namespace metamer::gltf
