@@ -23,9 +23,10 @@ struct MeshFile {
   std::vector<Float3> positions;       ///< Of a file with f32,
   std::vector<Double3> positions_f64;  ///< or with more; one of the two is empty.
   /// One for each position, unit; 0: the file has none there, and they are averaged over the
-  /// triangles that meet at its place; empty: the file has none. A glTF without normals is flat:
-  /// its reader gives each of its triangles vertices of its own, with its normal.
+  /// triangles that meet at its place; empty: the file has none.
   std::vector<Float3> normals;
+  /// Without normals: the angle of MeshUse::crease_angle where the use names none.
+  std::optional<double> crease_angle;
   std::vector<Float2> uvs;  ///< One for each position, NaN: none there; or empty.
   std::vector<Triangle> triangles;
   std::vector<MeshPiece> pieces;    ///< In the triangles' order; all triangles are in one.

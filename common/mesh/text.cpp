@@ -1,30 +1,15 @@
 #include "common/mesh/text.h"
 
-#include <iconv.h>
-
 #include <charconv>
 #include <cstdlib>
 #include <limits>
+
+#include "common/utf8.h"
 
 namespace metamer::mesh_text {
 namespace {
 
 bool ends(const char* at, const char* end) { return at == end || is_space(*at); }
-
-/// `bytes` in UTF-8, by the C library's iconv; nothing where they are not of that encoding.
-std::optional<std::string> in_utf8(std::string_view bytes, const char* encoding) {
-  const iconv_t converter = iconv_open("UTF-8", encoding);
-  if (converter == reinterpret_cast<iconv_t>(-1)) return std::nullopt;
-  std::string text(2 * bytes.size(), '\0');
-  char* from = const_cast<char*>(bytes.data());  // iconv's declaration; it does not write there.
-  char* to = text.data();
-  std::size_t from_left = bytes.size(), to_left = text.size();
-  const bool whole = iconv(converter, &from, &from_left, &to, &to_left) == 0;
-  iconv_close(converter);
-  if (!whole) return std::nullopt;
-  text.resize(text.size() - to_left);
-  return text;
-}
 
 /// The sign that std::from_chars does not know.
 const char* skip_plus(const char* at, const char* end) {
@@ -58,8 +43,8 @@ std::optional<std::int64_t> read_integer(const char*& at, const char* end) {
 }
 
 std::string utf8_name(std::string_view bytes) {
-  if (auto text = in_utf8(bytes, "UTF-8")) return *std::move(text);
-  return in_utf8(bytes, "ISO-8859-1").value_or(std::string());
+  if (auto text = to_utf8(bytes, "UTF-8")) return *std::move(text);
+  return to_utf8(bytes, "ISO-8859-1").value_or(std::string());
 }
 
 tl::unexpected<Problem> problem_at(const std::string& file, int line, std::string message) {

@@ -31,8 +31,9 @@ Result<TriangleMesh> triangles_of(MeshFile file, const MeshUse& use) {
     return tl::unexpected(selected.error());
   }
   join_repeated_vertices(file);
-  if (file.normals.empty() && use.crease_angle)
-    creased_normals(file, *use.crease_angle);
+  const auto crease_angle = use.crease_angle ? use.crease_angle : file.crease_angle;
+  if (file.normals.empty() && crease_angle)
+    creased_normals(file, *crease_angle);
   else
     smooth_normals(file);
   TriangleMesh mesh;

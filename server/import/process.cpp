@@ -43,8 +43,8 @@ void reply(const Descriptor& socket, const v1::MeshImported& message,
 }
 
 void limit(__rlimit_resource resource, std::uint64_t most) {
-  const rlimit both{most, most};
-  setrlimit(resource, &both);
+  const rlimit soft{most, most + 1};  // A second, of time, to die by the signal that says why.
+  setrlimit(resource, &soft);
 }
 
 /// All bytes that the request names, and no more, pay for what its reader may take.

@@ -11,6 +11,8 @@
 #include <csignal>
 #include <cstring>
 
+#include "common/utf8.h"
+
 namespace metamer::worker {
 namespace {
 
@@ -45,6 +47,7 @@ bool confine_files(const std::filesystem::path& folder) {
 }  // namespace
 
 std::string enter_sandbox(const std::filesystem::path& store) {
+  load_encodings();
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
   const rlimit no_core{0, 0};

@@ -60,6 +60,22 @@ TEST_F(BadInput, MissingFile) {
                  "                                 ^\n");
 }
 
+// The worker has no files but the scene's, and the C library keeps its encodings in files.
+TEST_F(BadInput, IsNotATextInUtf16OrLatin1) {
+  const std::string table = "nm;Gr\xFCn\n400;0.1\n500;0.5\n700;0.2\n";
+  std::string wide = "\xFF\xFE";
+  for (const char c : table) wide += {c, '\0'};
+  folder.write("latin1.csv", table);
+  folder.write("utf16.csv", wide);
+  for (const std::string file : {"latin1.csv", "utf16.csv"}) {
+    const Ended ended =
+        rendered(camera + light + object + "material { name: \"grey\" diffuse { file: \"" + file +
+                     "\" entry: \"Gr\xC3\xBCn\" } }\n",
+                 {"--size", "16x16"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+  }
+}
+
 TEST_F(BadInput, FileOutsideTheScenesFolder) {
   expect_message(
       camera + light + material + "object { material: \"grey\" mesh { file: \"../bunny.ply\" } }\n",

@@ -154,8 +154,9 @@ bool Accessor::open_sparse(Document& document, const Value& sparse) {
   if (!type || count == 0) return type.has_value();
   const std::size_t size = components_ * size_of(type_);
   std::size_t step = 0, stride = 0;
-  const auto places = bytes_of(document, indices["bufferView"],
-                               indices["byteOffset"].whole(most_bytes, 0), count, size_of(*type), &step);
+  const auto places =
+      bytes_of(document, indices["bufferView"], indices["byteOffset"].whole(most_bytes, 0), count,
+               size_of(*type), &step);
   const auto numbers = bytes_of(document, values["bufferView"],
                                 values["byteOffset"].whole(most_bytes, 0), count, size, &stride);
   if (places.empty() || numbers.empty()) return false;

@@ -110,8 +110,7 @@ Result<Document> Document::open(const Bytes& bytes, const std::string& name,
   for (std::size_t i = 0; i < required.size(); ++i)
     if (const std::string extension = required[i].text(); !is_known(extension))
       unknown += (unknown.empty() ? "" : ", ") + mesh_text::cited(extension);
-  if (!unknown.empty())
-    return problem("requires an extension that is not read: " + unknown);
+  if (!unknown.empty()) return problem("requires an extension that is not read: " + unknown);
   document.buffers_.resize(root["buffers"].size());
   if (document.buffers_.size() > max_gltf_buffers)
     return problem("has too many buffers (" + std::to_string(document.buffers_.size()) +
@@ -143,7 +142,8 @@ std::span<const char> Document::bytes(const Value& buffer, std::uint64_t offset,
   if (!read_before) read_before = read(*which);
   if (!*read_before) {
     const Problem& why = read_before->error();
-    buffer.fault("can't be read: " + (why.file.empty() ? "" : quoted(why.file) + " ") + why.message);
+    buffer.fault("can't be read: " + (why.file.empty() ? "" : quoted(why.file) + " ") +
+                 why.message);
     return {};
   }
   const Bytes& all = **read_before;

@@ -13,8 +13,7 @@ class Document {
  public:
   /// Errors: neither glTF nor a whole .glb of version 2; JSON of more than max_gltf_text; an
   /// extension that is required and unknown. `files` has to outlive it.
-  static Result<Document> open(const Bytes& bytes, const std::string& name,
-                               const MeshBytes& files);
+  static Result<Document> open(const Bytes& bytes, const std::string& name, const MeshBytes& files);
 
   /// The JSON's top.
   Value root() const { return {&*json_, {}, *faults_}; }

@@ -13,8 +13,8 @@
 namespace metamer::gltf {
 namespace {
 
-/// Degrees: where a file has no normals, the edges that are kept. The format has all triangles flat;
-/// a ball whose exporter left its normals out is meant to be round all the same.
+/// Degrees: where a file has no normals, the edges that are kept. The format has all triangles
+/// flat; a ball whose exporter left its normals out is meant to be round all the same.
 constexpr double crease_angle = 30;
 
 /// Where f32 would lose more than a millionth of what a scene spans: see needs_f64().
@@ -48,7 +48,8 @@ std::vector<Eigen::Affine3d> instances_of(Document& document, const Value& node)
   std::size_t count = 0;
   for (const auto* list : {&t, &r, &s})
     if (*list) {
-      if (count != 0 && (*list)->size() != count) attributes.fault("have not as many elements each");
+      if (count != 0 && (*list)->size() != count)
+        attributes.fault("have not as many elements each");
       count = std::max(count, (*list)->size());
     }
   if (document.fault() || count > limits::max_triangles) {
@@ -107,7 +108,9 @@ class Reader {
   }
 
  private:
-  tl::unexpected<Problem> fault() const { return problem("is not sound glTF: " + *document_.fault()); }
+  tl::unexpected<Problem> fault() const {
+    return problem("is not sound glTF: " + *document_.fault());
+  }
 
   void find_draws() {
     const Value root = document_.root(), nodes = root["nodes"], meshes = root["meshes"];
@@ -153,8 +156,8 @@ class Reader {
       for (const Primitive& primitive : meshes_.at(draw.mesh).primitives)
         box.extend(gltf::box_of(primitive, draw.drawn));
     }
-    return !box.isEmpty() && box.center().cwiseAbs().maxCoeff() >
-                                 far_times_its_size * box.sizes().maxCoeff();
+    return !box.isEmpty() &&
+           box.center().cwiseAbs().maxCoeff() > far_times_its_size * box.sizes().maxCoeff();
   }
 
   Result<void> add(const Draw& draw, const Primitive& primitive, bool f64) {

@@ -9,8 +9,8 @@ namespace metamer::gltf {
 
 /// A node of the scene, where it stands.
 struct PlacedNode {
-  std::size_t index;          ///< In the document's nodes.
-  Eigen::Affine3d to_world;   ///< glTF's space is Metamer's: right-handed, y up, metres.
+  std::size_t index;         ///< In the document's nodes.
+  Eigen::Affine3d to_world;  ///< glTF's space is Metamer's: right-handed, y up, metres.
 };
 
 /// The default scene's nodes, parents before children; where no scene is named, all nodes that

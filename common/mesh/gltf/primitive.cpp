@@ -14,9 +14,9 @@ constexpr std::uint64_t most_modes = 6;
 
 /// Elements that a primitive of points or lines draws.
 std::size_t points_and_lines(std::uint64_t mode, std::size_t corners) {
-  if (mode == 1) return corners / 2;               // lines
+  if (mode == 1) return corners / 2;                    // lines
   if (mode == 3) return corners > 0 ? corners - 1 : 0;  // a strip
-  return corners;                                  // points, a loop
+  return corners;                                       // points, a loop
 }
 
 std::vector<Primitive::Target> open_targets(Document& document, const Value& targets,
@@ -111,8 +111,10 @@ Result<void> append_positions(const Primitive& primitive, const Drawn& drawn, bo
           to.positions[base + i] = to_f32(p);
       }
       if (is_position(p)) continue;
-      first.keep(i, {.message = "vertex " + std::to_string(base + i) +
-                                " is not finite or too far out"});
+      first.keep(
+          i, {.field = {},
+              .file = {},
+              .message = "vertex " + std::to_string(base + i) + " is not finite or too far out"});
       return;
     }
   });
@@ -184,9 +186,11 @@ Result<void> append_triangles(const Primitive& primitive, const Drawn& drawn, st
         const std::size_t vertex =
             primitive.indices ? primitive.indices->whole(corners[c]) : corners[c];
         if (vertex >= vertices) {
-          first.keep(t, {.message = "triangle " + std::to_string(begin_of_all + t) +
-                                    " names vertex " + std::to_string(vertex) + "; there are " +
-                                    std::to_string(vertices)});
+          first.keep(
+              t, {.field = {},
+                  .file = {},
+                  .message = "triangle " + std::to_string(begin_of_all + t) + " names vertex " +
+                             std::to_string(vertex) + "; there are " + std::to_string(vertices)});
           return;
         }
         triangle[c] = static_cast<std::uint32_t>(base + vertex);
@@ -239,7 +243,8 @@ Eigen::AlignedBox3d box_of(const Primitive& primitive, const Drawn& drawn) {
   Eigen::AlignedBox3d box;
   const auto targets = targets_of(primitive, drawn, &Primitive::Target::positions);
   for (std::size_t i = 0; i < primitive.positions.size(); ++i) {
-    const Double3 p = mapped(drawn.to_world, morphed(primitive.positions, targets, drawn.weights, i));
+    const Double3 p =
+        mapped(drawn.to_world, morphed(primitive.positions, targets, drawn.weights, i));
     box.extend(Eigen::Vector3d(p.data()));
   }
   return box;

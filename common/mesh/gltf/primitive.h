@@ -10,13 +10,13 @@ namespace metamer::gltf {
 /// Triangles of one material (glTF 2.0, 3.7.2), with what they are read from.
 struct Primitive {
   Accessor positions;
-  std::optional<Accessor> normals, uvs, indices;
+  std::optional<Accessor> normals = {}, uvs = {}, indices = {};
   struct Target {
     std::optional<Accessor> positions, normals;
   };
-  std::vector<Target> targets;  ///< Of morphing; of its mesh's `weights`, or its node's.
+  std::vector<Target> targets = {};  ///< Of morphing; of its mesh's `weights`, or its node's.
   enum class Mode { triangles = 4, strip = 5, fan = 6 } mode = Mode::triangles;
-  std::string material;  ///< Empty: none.
+  std::string material = {};  ///< Empty: none.
 
   std::size_t corners() const { return indices ? indices->size() : positions.size(); }
   std::size_t triangles() const {
@@ -35,8 +35,8 @@ struct Drawn {
   std::vector<double> weights;  ///< Of the targets, as many.
 };
 
-/// Appends a primitive's triangles, placed and morphed; `f64`: to the finer positions. Normals are 0
-/// where it has none. Problems: a vertex that is not a position, an index beyond them.
+/// Appends a primitive's triangles, placed and morphed; `f64`: to the finer positions. Normals are
+/// 0 where it has none. Problems: a vertex that is not a position, an index beyond them.
 Result<void> append(const Primitive& primitive, const Drawn& drawn, bool f64, MeshFile& to);
 
 /// The box around its vertices, placed.

@@ -1,31 +1,12 @@
 #include "common/spectral/files/encoding.h"
 
-#include <iconv.h>
-
 #include <algorithm>
-#include <memory>
 #include <optional>
-#include <type_traits>
+
+#include "common/utf8.h"
 
 namespace metamer {
 namespace {
-
-/// `bytes` in UTF-8; nothing where they are not of that encoding, by the C library's iconv.
-std::optional<std::string> converted(std::string_view bytes, const char* encoding) {
-  const auto close = [](void* converter) { iconv_close(converter); };
-  const iconv_t opened = iconv_open("UTF-8", encoding);
-  if (opened == reinterpret_cast<iconv_t>(-1)) return std::nullopt;
-  const std::unique_ptr<std::remove_pointer_t<iconv_t>, decltype(close)> converter(opened, close);
-
-  // Two bytes of Latin-1 or UTF-16 become three of UTF-8 at most.
-  std::string text(2 * bytes.size() + 4, '\0');
-  char* from = const_cast<char*>(bytes.data());  // iconv's declaration; it does not write there.
-  char* to = text.data();
-  std::size_t from_left = bytes.size(), to_left = text.size();
-  if (iconv(converter.get(), &from, &from_left, &to, &to_left) != 0) return std::nullopt;
-  text.resize(text.size() - to_left);
-  return text;
-}
 
 /// The byte order of UTF-16 without a mark: text of Europe's languages has a NUL in every second
 /// place.
@@ -73,9 +54,9 @@ Result<std::string> utf8_text(std::string_view bytes, const std::string& file) {
   if (little || big) bytes.remove_prefix(2);
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
 
-  std::optional<std::string> text = converted(bytes, utf16 != nullptr ? utf16 : "UTF-8");
+  std::optional<std::string> text = to_utf8(bytes, utf16 != nullptr ? utf16 : "UTF-8");
   if (!text && utf16 != nullptr) return no_text(file, "the file is no sound UTF-16");
-  if (!text) text = converted(bytes, "ISO-8859-1");
+  if (!text) text = to_utf8(bytes, "ISO-8859-1");
   if (!text) return no_text(file, "the file's text can't be read");
   if (text->find('\0') != std::string::npos)
     return no_text(file, "the file is no text: it has a NUL byte");

@@ -81,7 +81,7 @@ TEST_F(ImporterTest, GivesTheMeshesThatReadingInPlaceGives) {
   add("a.obj", two_parts);
   add("b.obj", "v 5400000.25 1 0\nv 5400001.5 1 0\nv 5400000.25 2 0\nf 1 2 3\nf 1 2\n");
   start();
-  const std::vector<MeshUse> uses = {{"a"}, {"b", 30}, {{}, {}, true}};
+  const std::vector<MeshUse> uses = {{"a", {}}, {"b", 30}, {{}, {}, true}};
   for (const std::string name : {"a.obj", "b.obj"}) {
     const auto here =
         import_in_this_process(name, name == "a.obj" ? uses : std::vector<MeshUse>{{}});
@@ -110,7 +110,7 @@ TEST_F(ImporterTest, SaysWhatIsWrongWithAFileAsReadingInPlaceDoes) {
                                    {"good.obj", "nothing"},
                                    {"latin.obj", "nothing"},
                                    {"missing.obj", ""}}) {
-    const auto here = import_in_this_process(name, {{part}}), there = import(name, {{part}});
+    const auto here = import_in_this_process(name, {{part, {}}}), there = import(name, {{part, {}}});
     ASSERT_FALSE(here || there) << name;
     EXPECT_EQ(here.error().message, there.error().message);
     EXPECT_EQ(here.error().field, there.error().field);

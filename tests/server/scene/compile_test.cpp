@@ -157,8 +157,7 @@ TEST(Compile, EachBadMeshHasItsMessage) {
       compile_with(scene("", "object { name: 'o' material: 'm' mesh { file: 'x.ply' } }"),
                    {{"x.ply", "not a mesh"}});
   ASSERT_FALSE(garbage);
-  EXPECT_EQ(garbage.error()[0].message.rfind("can't be read as a mesh: ", 0), 0u)
-      << garbage.error()[0].message;
+  EXPECT_EQ(garbage.error()[0].message, "a PLY begins with the line \"ply\"");
 }
 
 TEST(Compile, AGltfReadsItsBufferFromTheAssetsAndFromNowhereElse) {
