@@ -3,9 +3,9 @@
 #include <string>
 #include <utility>
 
+#include "common/mesh/gltf/buffers.h"
 #include "common/scene/files.h"
 #include "common/scene/findings.h"
-#include "common/mesh/gltf/buffers.h"
 #include "common/scene/limits.h"
 #include "common/scene/names.h"
 #include "common/scene/scene_file.h"

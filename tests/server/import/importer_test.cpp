@@ -110,7 +110,8 @@ TEST_F(ImporterTest, SaysWhatIsWrongWithAFileAsReadingInPlaceDoes) {
                                    {"good.obj", "nothing"},
                                    {"latin.obj", "nothing"},
                                    {"missing.obj", ""}}) {
-    const auto here = import_in_this_process(name, {{part, {}}}), there = import(name, {{part, {}}});
+    const auto here = import_in_this_process(name, {{part, {}}}),
+               there = import(name, {{part, {}}});
     ASSERT_FALSE(here || there) << name;
     EXPECT_EQ(here.error().message, there.error().message);
     EXPECT_EQ(here.error().field, there.error().field);
