@@ -5,6 +5,8 @@
 #include <charconv>
 #include <numeric>
 
+#include "common/printable.h"
+
 namespace metamer {
 namespace {
 
@@ -14,18 +16,6 @@ constexpr std::size_t max_name =
     200;  // Longer ones are no typing mistakes, and cost n² to compare.
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; }
-
-std::string printable(std::string_view text, bool keep_tabs) {
-  std::string result(text);
-  std::replace_if(
-      result.begin(), result.end(),
-      [&](char c) {
-        const auto code = static_cast<unsigned char>(c);
-        return (code < 0x20 && !(keep_tabs && c == '\t')) || code == 0x7F;
-      },
-      '?');
-  return result;
-}
 
 /// Moves `position` back to the first byte of the character that it is in.
 std::size_t character_start(std::string_view text, std::size_t position) {
@@ -60,7 +50,7 @@ std::string excerpt(std::string_view line, std::size_t column) {
   // Write it, and a blank of the same width for each character before the caret.
   const std::string head = begin > 0 ? "…" : "";
   const std::string tail = end < line.size() ? "…" : "";
-  std::string result = "\n" + head + printable(line.substr(begin, end - begin), true) + tail;
+  std::string result = "\n" + head + printable(line.substr(begin, end - begin), "\t") + tail;
   if (column == 0) return result;
   result += begin > 0 ? "\n " : "\n";
   for (const char c : line.substr(begin, caret - begin)) {
@@ -97,14 +87,14 @@ std::string format(const Problem& problem, std::string_view source) {
   // Say where it is, as far as that is known.
   std::string text;
   if (!problem.file.empty()) {
-    text += printable(problem.file, false);
+    text += printable(problem.file);
     if (problem.line > 0) text += ":" + std::to_string(problem.line);
     if (problem.line > 0 && problem.column > 0) text += ":" + std::to_string(problem.column);
     text += ": ";
   }
   text += "error: ";
-  if (problem.line <= 0 && !problem.field.empty()) text += printable(problem.field, false) + ": ";
-  text += printable(problem.message, false);
+  if (problem.line <= 0 && !problem.field.empty()) text += printable(problem.field) + ": ";
+  text += printable(problem.message);
 
   // Show the line.
   if (problem.line <= 0 || problem.column < 0) return text;
@@ -128,8 +118,8 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
 }
 
 std::string quoted(std::string_view text) {
-  if (text.size() <= max_quoted) return "\"" + printable(text, false) + "\"";
-  return "\"" + printable(text.substr(0, character_start(text, max_quoted)), false) + "…\"";
+  if (text.size() <= max_quoted) return "\"" + printable(text) + "\"";
+  return "\"" + printable(text.substr(0, character_start(text, max_quoted))) + "…\"";
 }
 
 std::string number_text(double value) {

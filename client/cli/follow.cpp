@@ -6,6 +6,7 @@
 #include "client/cli/progress.h"
 #include "client/session/problems.h"
 #include "client/tools/text/promise_text.h"
+#include "common/printable.h"
 
 namespace metamer::cli {
 namespace {
@@ -13,7 +14,8 @@ namespace {
 ExitCode conclude_failed(const v1::Failed& failed, const CheckedScene* scene, Report& report) {
   const bool bad_input = failed.kind() == v1::Failed::BAD_INPUT;
   if (!bad_input || failed.problem().empty())
-    report.error(failed.reason().empty() ? "the job failed" : "the job failed: " + failed.reason());
+    report.error(failed.reason().empty() ? "the job failed"
+                                         : "the job failed: " + printable(failed.reason()));
   const std::vector<Problem> problems = from_wire(failed.problem());
   if (scene) {
     report_problems(*scene, problems, report);

@@ -7,8 +7,10 @@
 #include <iostream>
 #include <utility>
 
+#include "client/cli/report.h"
 #include "client/tools/text/formatted.h"
 #include "client/tools/text/job_text.h"
+#include "common/printable.h"
 
 namespace metamer::cli {
 
@@ -55,7 +57,7 @@ void ProgressView::clear_bar() {
 
 void ProgressView::line(const std::string& text) {
   clear_bar();
-  std::cerr << text << '\n';
+  say(std::cerr, text);
 }
 
 void ProgressView::show_progress(const v1::Progress& progress) {
@@ -93,7 +95,7 @@ void ProgressView::show(const v1::JobEvent& event) {
       line("paused");
       break;
     case v1::JobEvent::kRetrying:
-      line("retrying: " + event.retrying().reason());
+      line("retrying: " + printable(event.retrying().reason()));
       break;
     case v1::JobEvent::kFinished:
       line("done: " + describe(event.finished().timing()));

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "client/session/problems.h"
+#include "common/printable.h"
 
 namespace metamer::cli {
 namespace {
@@ -31,8 +32,10 @@ ExitCode exit_code(const SessionError& error) {
 
 }  // namespace
 
+void say(std::ostream& stream, std::string_view text) { stream << printable(text, "\n\t") << '\n'; }
+
 void Report::error(const std::string& message) {
-  std::cerr << "error: " << message << '\n';
+  say(std::cerr, "error: " + message);
   document_["errors"].push_back(message);
 }
 
@@ -41,18 +44,19 @@ void Report::problem(const Problem& problem, std::string_view source) {
 }
 
 void Report::described_problem(const Problem& problem, const std::string& text) {
-  std::cerr << text << '\n';
+  say(std::cerr, text);
   document_["problems"].push_back(to_json(problem));
 }
 
 void Report::note(const Problem& note) {
+  std::string text;
   if (!note.file.empty()) {
-    std::cerr << note.file << ':';
-    if (note.line > 0) std::cerr << note.line << ':';
-    if (note.line > 0 && note.column > 0) std::cerr << note.column << ':';
-    std::cerr << ' ';
+    text = printable(note.file) + ':';
+    if (note.line > 0) text += std::to_string(note.line) + ':';
+    if (note.line > 0 && note.column > 0) text += std::to_string(note.column) + ':';
+    text += ' ';
   }
-  std::cerr << "note: " << note.message << '\n';
+  say(std::cerr, text + "note: " + note.message);
   document_["notes"].push_back(to_json(note));
 }
 
@@ -63,7 +67,9 @@ ExitCode Report::session_error(const SessionError& failure) {
 }
 
 void Report::line(const std::string& text) {
-  if (!json_) std::cout << text << '\n' << std::flush;
+  if (json_) return;
+  say(std::cout, text);
+  std::cout.flush();
 }
 
 ExitCode Report::finish(ExitCode code) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <iosfwd>
 #include <string>
 #include <string_view>
 
@@ -9,6 +10,10 @@
 #include "common/problem.h"
 
 namespace metamer::cli {
+
+/// Prints a text and ends its line. Whoever wrote the text, a server or a file, it commands no
+/// terminal; names and reasons in it go through printable() before, so that they forge no lines.
+void say(std::ostream& stream, std::string_view text);
 
 /// What a subcommand has to say. People read errors and notes on stderr as they come; with --json
 /// the same facts also stand in the one document that finish() prints on stdout.

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "client/session/exchange.h"
+#include "client/session/server_owner.h"
 #include "common/wire/endpoint.h"
+#include "common/wire/peer.h"
 #include "common/wire/protocol.h"
 
 namespace metamer::client {
@@ -28,6 +30,10 @@ asio::awaitable<Answer<std::unique_ptr<Session>>> Session::connect(std::string s
   if (!endpoint) co_return session_error(Kind::input, endpoint.error().message);
   auto socket = co_await wire::connect(*endpoint, limits.connection);
   if (!socket) co_return session_error(Kind::no_server, socket.error().message);
+  if (const auto user = wire::peer_of(*socket).user) {
+    const auto met = check_server_owner(*user, endpoint->path);
+    if (!met) co_return session_error(Kind::no_server, met.error().message);
+  }
 
   const auto executor = co_await asio::this_coro::executor;
   auto state = std::make_shared<State>(std::move(*socket), wire::to_string(*endpoint));

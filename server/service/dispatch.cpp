@@ -102,7 +102,7 @@ Dispatch::Answer Dispatch::hello(const v1::Hello& hello) {
                       " of the protocol, the client " + std::to_string(hello.protocol_version()));
   }
   greeted_ = true;
-  spdlog::info("a client says hello: {}", for_log(hello.client()));
+  spdlog::info("a client says hello: {}", shortened(hello.client(), max_job_name));
   v1::Envelope envelope;
   v1::Welcome& welcome = *envelope.mutable_welcome();
   welcome.set_protocol_version(wire::protocol_version);

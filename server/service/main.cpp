@@ -1,5 +1,5 @@
+#include <malloc.h>
 #include <signal.h>
-#include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "server/service/folders.h"
+#include "server/service/log.h"
 #include "server/service/parent_watch.h"
 #include "server/service/service.h"
 
@@ -103,6 +104,14 @@ int fail(int code, const Problem& problem) {
   return code;
 }
 
+/// A message takes up to 4 MiB, several times over on its way. By default the C library returns
+/// such pieces to the system when they are freed, and each next message has the kernel clear its
+/// pages anew. Pictures, which are larger, still come and go by themselves.
+void keep_message_memory() {
+  ::mallopt(M_MMAP_THRESHOLD, 8 << 20);
+  ::mallopt(M_TRIM_THRESHOLD, 64 << 20);
+}
+
 int run(const CommandLine& line, service::ServiceOptions options) {
   boost::asio::io_context context(1);
   service::Service service(context, std::move(options));
@@ -172,8 +181,8 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? exit_ok : exit_usage;
   }
 
-  spdlog::set_default_logger(spdlog::stderr_color_st("metamerd"));
-  spdlog::set_level(spdlog::level::from_str(line.log_level));
+  service::log_to_stderr(line.log_level);
+  keep_message_memory();
   ::signal(SIGPIPE, SIG_IGN);
   try {
     return run(line);

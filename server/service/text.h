@@ -12,13 +12,4 @@ inline std::string shortened(std::string_view text, std::size_t most) {
   return std::string(text.substr(0, most));
 }
 
-/// A client's text for the log: short, and without characters that would forge lines there.
-inline std::string for_log(std::string_view text) {
-  std::string shown = shortened(text, 100);
-  for (char& c : shown) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
-  }
-  return shown;
-}
-
 }  // namespace metamer::service

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "client/tools/text/formatted.h"
+#include "common/printable.h"
 #include "common/scene/methods.h"
 
 namespace metamer::client {
@@ -39,11 +40,11 @@ std::string describe_kind(const v1::JobEvent& event) {
     case v1::JobEvent::kPaused:
       return "paused";
     case v1::JobEvent::kRetrying:
-      return "retrying: " + event.retrying().reason();
+      return "retrying: " + printable(event.retrying().reason());
     case v1::JobEvent::kFinished:
       return "finished: " + describe(event.finished().timing());
     case v1::JobEvent::kFailed:
-      return "failed: " + event.failed().reason();
+      return "failed: " + printable(event.failed().reason());
     case v1::JobEvent::kCancelled:
       return "cancelled";
     case v1::JobEvent::EVENT_NOT_SET:
@@ -116,7 +117,8 @@ std::string describe(const v1::JobSummary& job) {
                 static_cast<unsigned long long>(job.job_id()), word(job.state()),
                 job.tiles() > 0 ? tiles(job.tiles_done(), job.tiles()).c_str() : "-",
                 clock(job.age()).c_str());
-  return text.data() + job.name() + (job.reason().empty() ? "" : "  (" + job.reason() + ")");
+  const std::string reason = job.reason().empty() ? "" : "  (" + printable(job.reason()) + ")";
+  return text.data() + printable(job.name()) + reason;
 }
 
 std::string describe(const v1::JobEvent& event) {

@@ -3,6 +3,8 @@
 
 #include "client/cli/json.h"
 #include "client/cli/progress.h"
+#include "client/cli/report.h"
+#include "client/tools/text/job_text.h"
 
 namespace metamer::cli {
 namespace {
@@ -16,6 +18,28 @@ v1::Progress progress_of(std::uint32_t done, std::uint32_t tiles, std::uint64_t 
   progress.set_seconds(seconds);
   progress.set_seconds_left(left);
   return progress;
+}
+
+TEST(Terminal, IsNotCommandedByWhatAServerSays) {
+  v1::JobSummary job;
+  job.set_job_id(1);
+  job.set_name("a\n               2  finished\x1b[2J");
+  job.set_reason(
+      "b\r\xC2\x9B"
+      "1A");
+  const std::string line = client::describe(job);
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  Report report(false);
+  report.line(line);
+  report.line("its own\n\tlines \x1b]0;title\x07");
+  report.error("c\x1b[2J");
+  report.note({.field = {}, .file = "d\x1b", .line = 1, .message = "e\xE2\x80\xAE"});
+  const std::string out = testing::internal::GetCapturedStdout();
+  const std::string err = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(out.substr(out.find("a?")),
+            "a?               2  finished?[2J  (b??1A)\nits own\n\tlines ?]0;title?\n");
+  EXPECT_EQ(err, "error: c?[2J\nd?:1: note: e?\n");
 }
 
 TEST(Bar, ShowsShareRateAndTimeLeft) {

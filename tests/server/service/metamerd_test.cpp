@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "client.h"
 #include "common/digest.h"
@@ -67,6 +68,17 @@ class Program {
   void hang_up() {
     if (pair_end_ >= 0) ::close(pair_end_);
     pair_end_ = -1;
+  }
+  /// Page faults so far that needed no disk.
+  long faults() const {
+    std::ifstream file("/proc/" + std::to_string(pid_) + "/stat");
+    std::string text{std::istreambuf_iterator<char>(file), {}};
+    std::istringstream fields(text.substr(text.rfind(')') + 2));
+    std::string skipped;
+    for (int i = 3; i < 10; ++i) fields >> skipped;  // minflt is the tenth, see proc(5)
+    long faults = 0;
+    fields >> faults;
+    return faults;
   }
   void signal(int number) { ::kill(pid_, number); }
   int wait() {
@@ -182,6 +194,48 @@ TEST_F(Metamerd, TheFirstJobsNumberCanBeChosen) {
   Client client(path());
   client.hello();
   EXPECT_EQ(client.submit("picture 64 48 16"), 700u);
+}
+
+TEST_F(Metamerd, NamesForgeNoLinesOfItsLog) {
+  Program program(folder_.path(), private_options());
+  ASSERT_EQ(program.ready(), "ready\n");
+  {
+    Client client(path());
+    v1::Envelope message;
+    message.mutable_hello()->set_protocol_version(1);
+    message.mutable_hello()->set_client("x\n[error] forged\x1b[2J");
+    ASSERT_TRUE(client.ask(message).has_welcome());
+    message.mutable_submit()->set_scene_sha256(client.upload({"picture 8 8 8"})[0]);
+    message.mutable_submit()->set_name(
+        "y\r\n[error] forged\xC2\x9B"
+        "2J");
+    client.watch(client.ask(message).submitted().job_id());
+    client.receive_event_until([](auto& event) { return event.has_finished(); });
+  }
+  program.hang_up();
+  EXPECT_EQ(program.wait(), 0);
+  const std::string log = program.log();
+  EXPECT_NE(log.find("x?[error] forged?[2J"), std::string::npos) << log;
+  EXPECT_NE(log.find("(y??[error] forged?2J) started"), std::string::npos) << log;
+  EXPECT_EQ(log.find('\x1b'), std::string::npos);
+  EXPECT_EQ(log.find("\n[error]"), std::string::npos);
+}
+
+TEST_F(Metamerd, APicturesTilesTakeMemoryThatIsThereAlready) {
+  Program program(folder_.path(), private_options());
+  ASSERT_EQ(program.ready(), "ready\n");
+  Client client(path());
+  client.hello();
+  const auto job = client.submit("picture 3840 2160 256");
+  const auto fetch = [&] {
+    client.watch(job);
+    client.receive_event_until([](auto& event) { return event.has_finished(); });
+  };
+  fetch();
+  const long before = program.faults();
+  fetch();
+  // 135 tiles of 192 pages, which go through several copies.
+  EXPECT_LT(program.faults() - before, 2000);
 }
 
 TEST_F(Metamerd, AnAddressInUseIsAFailureWithItsReason) {

@@ -162,7 +162,12 @@ TEST_F(Sharing, ViewsOfOneLeaveRoomForAnothers) {
   v1::Envelope message;
   message.mutable_open_view()->set_scene_sha256(other.upload({"picture 8 8 8"})[0]);
   other.send(message);
-  other.ping();  // an Error would have come before
+  v1::Envelope after;
+  after.mutable_ping();
+  other.send(after);
+  const auto next = other.receive();
+  ASSERT_TRUE(next);
+  EXPECT_TRUE(next->has_pong()) << next->ShortDebugString();
 }
 
 TEST_F(Sharing, OnlyWhoSubmittedAJobAndTheServersOwnerOrderIt) {
