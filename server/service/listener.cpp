@@ -46,7 +46,11 @@ asio::awaitable<void> Listener::accept(wire::Acceptor& acceptor, ServiceContext&
     auto [error, socket] = co_await acceptor.accept();
     if (stopped_) break;
     if (!error) {
-      admit(std::move(socket), context);
+      try {
+        admit(std::move(socket), context);
+      } catch (const std::exception& exception) {
+        spdlog::error("a connection was closed: {}", exception.what());
+      }
       continue;
     }
     spdlog::warn("can't accept a connection: {}", error.message());

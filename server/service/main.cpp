@@ -134,8 +134,15 @@ int run(const CommandLine& line, service::ServiceOptions options) {
 
   if (auto started = service.start(); !started) return fail(exit_failure, started.error());
   if (parent) parent->ready();
-  context.run();
-  return exit_ok;
+  // What a worker or a session is to blame for has ended that; anything else costs one step.
+  while (true) {
+    try {
+      context.run();
+      return exit_ok;
+    } catch (const std::exception& exception) {
+      spdlog::critical("a step failed: {}", exception.what());
+    }
+  }
 }
 
 int run(const CommandLine& line) {
