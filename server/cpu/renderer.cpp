@@ -17,6 +17,8 @@ namespace {
 
 /// Of a whole film, where nobody asked for tiles.
 constexpr std::uint32_t tile_side = 16;
+/// Of a part of a tile: the smallest that the tracer takes, since a pixel may have 1,024 samples.
+constexpr std::uint32_t part_side = 8;
 
 std::vector<Rect> tiles_of(const Film& film) {
   std::vector<Rect> tiles;
@@ -38,6 +40,7 @@ class RayTracer : public Renderer {
 
   Result<void> change(const v1::Plan& plan, const Method& method,
                       const std::atomic<bool>& cancelled) override {
+    shares_.clear();
     tracer_.reset();
     if (!prepare(cancelled)) return problem("");
     plan_ = &plan;
@@ -51,7 +54,9 @@ class RayTracer : public Renderer {
       picture_.tiles = tiles_of(picture_.film);
       picture_.tile_done = {};
     }
-    next_ = 0;
+    next_ = whole_ = 0;
+    shares_.clear();
+    shares_.resize(plan_->threads());
     tracer_.emplace(
         scene_, geometry_->embree(),
         Tracer::Frame{picture_.film.width, picture_.film.height, plan_->depth(), picture_.samples});
@@ -60,10 +65,10 @@ class RayTracer : public Renderer {
   /// Each thread takes the next tile, so that they are begun in the order that was asked for.
   Result<bool> draw(const Control& control) override {
     tbb::task_arena arena(static_cast<int>(plan_->threads()));
-    arena.execute(
-        [&] { tbb::parallel_for(0u, plan_->threads(), [&](unsigned) { draw_tiles(control); }); });
-    // Who has taken a tile has drawn it.
-    return next_ >= picture_.tiles.size() && !control.cancelled;
+    arena.execute([&] {
+      tbb::parallel_for(0u, plan_->threads(), [&](unsigned i) { draw_tiles(i, control); });
+    });
+    return whole_ == picture_.tiles.size() && !control.cancelled;
   }
 
   void report(v1::Timing& timing) override {
@@ -74,30 +79,67 @@ class RayTracer : public Renderer {
   std::unique_ptr<Probe> make_probe() override { return std::make_unique<TracingProbe>(geometry_); }
 
  private:
-  /// At least one, where there are any.
-  void draw_tiles(const Control& control) {
-    Workspace workspace = tracer_->make_workspace();
-    const auto spp = static_cast<std::uint32_t>(picture_.samples.size());
-    FilmSink film(*method_, picture_.film, spp);
+  /// One thread's work on tiles, which goes on in its next turn.
+  struct Share {
+    Workspace workspace;
+    FilmSink film;
     std::optional<FactorSink> factors;
-    if (picture_.keep_factors) factors.emplace(film, spp);
+    std::optional<Rect> tile;  ///< That has been taken and is not whole.
+    std::uint32_t next_part = 0;
+  };
+
+  Share& share(unsigned index) {
+    auto& share = shares_[index];
+    if (share) return *share;
+    const auto spp = static_cast<std::uint32_t>(picture_.samples.size());
+    share.reset(
+        new Share{tracer_->make_workspace(), FilmSink(*method_, picture_.film, spp), {}, {}});
+    if (picture_.keep_factors) share->factors.emplace(share->film, spp);
+    return *share;
+  }
+
+  /// At least one part of a tile, where there are any.
+  void draw_tiles(unsigned index, const Control& control) {
+    Share& own = share(index);
     const std::uint64_t start = ticks();
+    const std::uint64_t model_start = model_ticks(own.workspace);
     do {
-      const std::size_t i = next_++;
-      if (i >= picture_.tiles.size() || control.cancelled) break;
-      const Rect& tile = picture_.tiles[i];
-      workspace.rays = 0;
-      if (factors) factors->begin(tile);
-      tracer_->render(tile, factors ? static_cast<PixelSink&>(*factors) : film, workspace,
-                      control.cancelled, control.work);
+      if (!own.tile && !take_tile(own)) break;
+      draw_part(own, control);
       if (control.cancelled) return;
-      if (!picture_.tile_done) continue;
-      std::optional<v1::TileFactors> kept;
-      if (factors) kept = factors->finish();
-      picture_.tile_done({tile, workspace.rays, kept ? &*kept : nullptr});
     } while (!control.is_over());
     ticks_ += ticks() - start;
-    model_ticks_ += model_ticks(workspace);
+    model_ticks_ += model_ticks(own.workspace) - model_start;
+  }
+
+  bool take_tile(Share& own) {
+    const std::size_t i = next_++;
+    if (i >= picture_.tiles.size()) return false;
+    own.tile = picture_.tiles[i];
+    own.next_part = 0;
+    own.workspace.rays = 0;
+    if (own.factors) own.factors->begin(*own.tile);
+    return true;
+  }
+
+  /// Others have their turn between two parts, however large a tile and whatever its samples are.
+  void draw_part(Share& own, const Control& control) {
+    const Rect tile = *own.tile;
+    const std::uint32_t columns = (tile.width - 1) / part_side + 1;
+    const std::uint32_t rows = (tile.height - 1) / part_side + 1;
+    const std::uint32_t x = own.next_part % columns * part_side;
+    const std::uint32_t y = own.next_part / columns * part_side;
+    const Rect part = {tile.x + x, tile.y + y, std::min(part_side, tile.width - x),
+                       std::min(part_side, tile.height - y)};
+    tracer_->render(part, own.factors ? static_cast<PixelSink&>(*own.factors) : own.film,
+                    own.workspace, control.cancelled, control.work);
+    if (control.cancelled || ++own.next_part < columns * rows) return;
+    own.tile.reset();
+    ++whole_;
+    if (!picture_.tile_done) return;
+    std::optional<v1::TileFactors> kept;
+    if (own.factors) kept = own.factors->finish();
+    picture_.tile_done({tile, own.workspace.rays, kept ? &*kept : nullptr});
   }
 
   const RenderScene& scene_;
@@ -106,7 +148,9 @@ class RayTracer : public Renderer {
   const Method* method_ = nullptr;
   Picture picture_;
   std::optional<Tracer> tracer_;
-  std::atomic<std::size_t> next_ = 0;  ///< Tiles before it have been taken.
+  std::vector<std::unique_ptr<Share>> shares_;  ///< By thread; made when it first has a turn.
+  std::atomic<std::size_t> next_ = 0;           ///< Tiles before it have been taken.
+  std::atomic<std::size_t> whole_ = 0;          ///< So many of them are.
   std::atomic<std::uint64_t> ticks_ = 0, model_ticks_ = 0;
 };
 

@@ -56,9 +56,10 @@ class Ready {
 
   void clear() { xyz_.assign(std::size_t{80} * 48 * 3, -1.0f); }
 
-  void begin(std::vector<Rect> tiles) {
+  void begin(std::vector<Rect> tiles, bool keep_factors = false) {
     std::lock_guard lock(mutex_);
     told_.clear();
+    factors_.clear();
     renderer_->begin({.film = {xyz_.data(), 80, 48},
                       .samples = sample_pattern(4),
                       .tiles = std::move(tiles),
@@ -66,8 +67,9 @@ class Ready {
                           [this](const DrawnTile& tile) {
                             const std::lock_guard lock(mutex_);
                             told_.push_back(tile.rect);
+                            if (tile.factors) factors_.push_back(tile.factors->SerializeAsString());
                           },
-                      .keep_factors = false});
+                      .keep_factors = keep_factors});
   }
   /// Draws until the picture is whole; returns the number of turns.
   int draw(const std::function<bool()>& is_over) {
@@ -89,6 +91,7 @@ class Ready {
   std::vector<float> xyz_;
   std::mutex mutex_;
   std::vector<Rect> told_;
+  std::vector<std::string> factors_;
 };
 
 std::vector<Rect> tiles(std::uint32_t side) {
@@ -116,6 +119,27 @@ TEST(Renderers, DrawTheSameBitsHoweverTheyAreInterrupted) {
     ready.begin(tiles(16));
     EXPECT_GT(ready.draw(always_over), 1);
     EXPECT_EQ(ready.xyz_, at_once);
+  }
+}
+
+TEST(Renderers, GiveWayWithinATileToo) {
+  for (const auto& [name, device, backend] : backends()) {
+    SCOPED_TRACE(name);
+    const bool keeps = backend->id() == v1::CPU;
+    Ready ready(*backend);
+    const std::vector<Rect> whole = {{0, 0, 80, 48}};
+    ready.begin(whole, keeps);
+    EXPECT_EQ(ready.draw(never_over), 1);
+    const std::vector<float> at_once = ready.xyz_;
+    const std::vector<std::string> factors = ready.factors_;
+
+    ready.clear();
+    ready.begin(whole, keeps);
+    EXPECT_GE(ready.draw(always_over), 4);
+    EXPECT_EQ(ready.xyz_, at_once);
+    EXPECT_EQ(ready.told_.size(), 1u);
+    EXPECT_EQ(ready.factors_, factors);
+    EXPECT_EQ(factors.size(), keeps ? 1u : 0u);
   }
 }
 
