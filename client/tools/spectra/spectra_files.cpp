@@ -6,6 +6,7 @@
 
 #include "client/tools/spectra/spectrum_word.h"
 #include "common/color/illuminants.h"
+#include "common/printable.h"
 #include "common/scene/files.h"
 #include "common/spectral/cie.h"
 #include "common/spectral/files/encoding.h"
@@ -22,13 +23,6 @@ tl::unexpected<Problem> no_such(const std::string& word) {
                  did_you_mean(word, known));
 }
 
-/// A name from a file could command a terminal.
-std::string printable(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
-  return text;
-}
-
 /// The spectra of a file. `source` is its text, for the line of an error.
 Result<std::vector<LoadedSpectrum>> read_spectra(const std::string& name,
                                                  const SpectrumChoice& choice,
@@ -40,6 +34,7 @@ Result<std::vector<LoadedSpectrum>> read_spectra(const std::string& name,
   if (!file) return tl::unexpected(std::move(file.error()));
   std::vector<LoadedSpectrum> loaded;
   for (const NamedSpectrum& one : file->spectra) {
+    // A name from a file could command a terminal.
     const std::string label = printable(one.name.empty() ? name : name + ": " + one.name);
     auto taken = interpret(*file, one, choice.reading, choice.use);
     if (!taken) return problem(label + ": " + taken.error().message);
