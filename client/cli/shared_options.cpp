@@ -67,8 +67,9 @@ void declare_overrides(Overrides& overrides, Options& options) {
       "phong, constant, gouraud or quadratic, where an object has none");
   add("--threads", &overrides.threads, "0: as many as the server has");
   add("--tile-size", &overrides.tile_size, "pixels, a multiple of 8");
-  add("--light", &overrides.lights,
-      std::string("give a light another spectrum, *: all of them; ") + light_words);
+  std::string light_meaning = "give a light another spectrum, *: all of them; ";
+  light_meaning += light_words;  // GCC 12 warns wrongly of a sum of the two (its bug 105329).
+  add("--light", &overrides.lights, light_meaning);
   options.back().type = "NAME=SPECTRUM";
   declare_development(overrides.development, group, options);
 }

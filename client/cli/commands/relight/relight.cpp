@@ -44,14 +44,14 @@ std::vector<std::string> names_of(const List& list) {
 }
 
 /// All that is made of one file of factors.
-struct Work {
+struct RelightWork {
   Factors factors;  ///< Its plan has the observer and the development that the options say.
   v1::SceneFactors scene;
   std::vector<Variant> lights, materials;
 };
 
 /// Takes the options' observer and development into the plan and the scene.
-bool apply_options(const RelightOptions& options, Work& work, Report& report) {
+bool apply_options(const RelightOptions& options, RelightWork& work, Report& report) {
   v1::Plan& plan = work.factors.plan;
   if (options.observer) {
     const auto observer = load_observer(*options.observer, report);
@@ -63,10 +63,10 @@ bool apply_options(const RelightOptions& options, Work& work, Report& report) {
   return true;
 }
 
-std::optional<Work> load_work(const RelightOptions& options, Report& report) {
+std::optional<RelightWork> load_work(const RelightOptions& options, Report& report) {
   Result<Factors> factors = read_factors(options.file);
   if (!factors) return report.problem(factors.error(), {}), std::nullopt;
-  Work work{.factors = std::move(*factors), .scene = {}, .lights = {}, .materials = {}};
+  RelightWork work{.factors = std::move(*factors), .scene = {}, .lights = {}, .materials = {}};
   work.scene = work.factors.scene;
   std::vector<std::string> lights = names_of(work.scene.light()), materials;
   lights.emplace_back("*");
@@ -92,7 +92,7 @@ std::string said(const RelightOptions& options, const Variant& light, const Vari
 /// The pictures under one light after the other, and what becomes of them.
 class Relighting {
  public:
-  Relighting(const RelightOptions& options, Work& work, Report& report)
+  Relighting(const RelightOptions& options, RelightWork& work, Report& report)
       : options_(options), work_(work), report_(report), swapper_(work.factors, report) {
     sheet_.cells.resize(work.lights.size() * work.materials.size());
     for (const Variant& light : work.lights) sheet_.lights.push_back(light.label);
@@ -111,7 +111,7 @@ class Relighting {
   bool several() const { return sheet_.cells.size() > 1; }
 
   const RelightOptions& options_;
-  Work& work_;
+  RelightWork& work_;
   Report& report_;
   Swapper swapper_;
   client::Sheet sheet_;
@@ -211,7 +211,7 @@ ExitCode Relighting::write_sheet() {
 }
 
 /// All that will be written, as check_output takes it.
-Result<OutputOptions> all_files(const RelightOptions& options, const Work& work) {
+Result<OutputOptions> all_files(const RelightOptions& options, const RelightWork& work) {
   OutputOptions all = options.output;
   auto names = file_names(options.output.files, work.lights, work.materials);
   if (!names) return tl::unexpected(std::move(names.error()));
