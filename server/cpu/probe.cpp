@@ -3,10 +3,11 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "server/cpu/tracer.h"
+#include "server/render/thread_time.h"
 
 namespace metamer::cpu {
 namespace {
@@ -51,27 +52,35 @@ bool Geometry::prepare(const std::atomic<bool>& cancelled) {
 TracedPixels TracingProbe::trace(const v1::Plan& plan, PixelRun run,
                                  const std::atomic<bool>& stopped,
                                  std::atomic<std::uint64_t>& work) const {
-  using Clock = std::chrono::steady_clock;
   const Tracer tracer(geometry_->scene(), geometry_->embree(), plan);
   auto workspace = tracer.make_workspace();
   TracedPixels pixels;
-  const auto start = Clock::now();
   const std::uint32_t block = tracer.block_width() * tracer.block_height();
-  for (std::uint32_t k = run.first; k < run.first + run.count && !stopped;
-       k += run.random ? 1 : block) {
-    // Find the block of the place.
-    const Place place = run.random ? random_place(k, plan) : even_place(k, plan);
+  const auto gather = [&](Place place) {
     const std::uint32_t x = place.x / tracer.block_width() * tracer.block_width();
     const std::uint32_t y = place.y / tracer.block_height() * tracer.block_height();
     tracer.gather_block(x, y, workspace);
-
+    return Place{x, y};
+  };
+  // Neighbours find what they need in the caches; pixels far from each other do on a second round.
+  double first_round = std::numeric_limits<double>::infinity();
+  if (!run.random) {
+    const double start = thread_seconds();
+    for (std::uint32_t k = 0; k < run.count && !stopped; k += block)
+      gather(even_place(run.first + k, plan));
+    first_round = thread_seconds() - start;
+  }
+  const double start = thread_seconds();
+  for (std::uint32_t k = run.first; k < run.first + run.count && !stopped;
+       k += run.random ? 1 : block) {
+    const auto [x, y] = gather(run.random ? random_place(k, plan) : even_place(k, plan));
     for (std::uint32_t i = 0; i < workspace.gathers.size(); ++i)
       if (x + i % tracer.block_width() < plan.width() &&
           y + i / tracer.block_width() < plan.height())
         pixels.gathers.push_back(workspace.gathers[i]);
     ++work;
   }
-  pixels.seconds = std::chrono::duration<double>(Clock::now() - start).count() /
+  pixels.seconds = std::min(first_round, thread_seconds() - start) /
                    static_cast<double>(std::max<std::size_t>(1, pixels.gathers.size()));
   return pixels;
 }

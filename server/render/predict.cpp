@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "common/scene/settings.h"
+#include "server/render/thread_time.h"
 
 namespace metamer {
 namespace {
@@ -83,11 +84,11 @@ Predicted Predictor::predict(const v1::Method& method) {
   const std::size_t count = pixels_.gathers.size(), half = count / 2;
   const Xyz& white = reference_.white();
   std::vector<double> errors = color_errors(*predicted.method, pixels_, {0, half}, white, *scratch);
-  const auto half_time = Clock::now();
+  const double half_time = thread_seconds();
   const std::vector<double> rest =
       color_errors(*predicted.method, pixels_, {half, count}, white, *scratch);
   const double resolve =
-      seconds_since(half_time) / static_cast<double>(std::max<std::size_t>(1, rest.size()));
+      (thread_seconds() - half_time) / static_cast<double>(std::max<std::size_t>(1, rest.size()));
   errors.insert(errors.end(), rest.begin(), rest.end());
   prediction.set_render(pilot_.probe.picture_seconds(
       plan, *predicted.method, pixels_.trace_seconds + resolve, pilot_.stopped, pilot_.work));

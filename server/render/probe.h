@@ -21,7 +21,7 @@ struct PixelRun {
 /// Pixels before any spectrum: sums over the samples of each.
 struct TracedPixels {
   std::vector<Gather> gathers;
-  double seconds = 0;  ///< A pixel, on one thread of the CPU.
+  double seconds = 0;  ///< A pixel, on one thread of the CPU that does nothing else.
 };
 
 /// A scene by one backend, for the choice of a method: what some of its pixels receive, and what a

@@ -185,6 +185,25 @@ TEST_F(Relit, ByManyLightsIsAsByEachAlone) {
     }
 }
 
+TEST_F(Relit, ByAPixelOfASpectralPictureIsAsByThatLight) {
+  const std::string factors = keep();
+  const std::string room = folder / "room.exr";
+  ASSERT_EQ(metamer({"relight", factors, "--exr", "spectral:360:830:5", "-o", room}).code, 0);
+  const Json pixel =
+      Json::parse(metamer({"spectra", "info", room + "#10x30-20x35", "--json"}).out)["spectra"][0];
+  EXPECT_EQ(pixel["from"], 360);
+  EXPECT_EQ(pixel["to"], 830);
+  EXPECT_EQ(pixel["format"], "a spectral EXR");
+  const std::string light = "key=" + room + "#10x30-20x35";
+  expect_same(picture({"relight", factors, "--light", light}),
+              picture({"render", folder / "scene.txtpb", "--light", light}));
+  for (const char* entry : {"", "#48x0", "#0x40", "#1", "#axb", "#1x1-", "#-1x2", "#1x1-2x2x"}) {
+    const Ended ended = metamer({"spectra", "info", room + entry});
+    EXPECT_EQ(ended.code, 2) << entry;
+    EXPECT_NE(ended.err.find("pixel"), std::string::npos) << ended.err;
+  }
+}
+
 TEST_F(Relit, AsASheetSaysHowFarCandidatesAreFromTheFirst) {
   const std::string factors = keep();
   const std::string sheet = folder / "sheet.png";

@@ -1,5 +1,7 @@
 #include "client/tools/scene/light_words.h"
 
+#include "client/tools/spectra/picture_spectra.h"
+#include "client/tools/spectra/spectra_files.h"
 #include "client/tools/spectra/spectrum_word.h"
 #include "common/color/illuminants.h"
 #include "common/scene/reading.h"
@@ -29,6 +31,16 @@ Result<WordLight> light_of_word(const std::string& word) {
     if (word.find_first_of("./#") != std::string::npos && !names_formula(word))
       return problem("there is no file " + metamer::quoted(parsed->name));
     light.spectrum.set_standard(word);
+    return light;
+  }
+  if (is_picture_of_spectra(parsed->name)) {
+    const auto loaded = load_one(word, {.use = Use::emission});
+    if (!loaded) return tl::unexpected(loaded.error().problem);
+    const Spectrum& spectrum = loaded->spectrum();
+    auto& samples = *light.spectrum.mutable_samples();
+    samples.mutable_wavelength()->Assign(spectrum.nm.begin(), spectrum.nm.end());
+    samples.mutable_value()->Assign(spectrum.values.begin(), spectrum.values.end());
+    light.spectrum.set_interpolation(v1::Spectrum::LINEAR);
     return light;
   }
   light.file = parsed->name;

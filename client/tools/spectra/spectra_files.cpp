@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "client/tools/spectra/picture_spectra.h"
 #include "client/tools/spectra/spectrum_word.h"
 #include "common/color/illuminants.h"
 #include "common/printable.h"
@@ -23,14 +24,20 @@ tl::unexpected<Problem> no_such(const std::string& word) {
                  did_you_mean(word, known));
 }
 
+Result<SpectrumFile> read_text(const std::string& name, const SpectrumChoice& choice,
+                               std::string& source) {
+  Result<std::string> bytes = read_file(name, max_spectrum_file);
+  if (!bytes) return tl::unexpected(std::move(bytes.error()));
+  source = utf8_text(*bytes, name).value_or(*bytes);
+  return read_spectrum_file(*bytes, name, choice.reading.unit);
+}
+
 /// The spectra of a file. `source` is its text, for the line of an error.
 Result<std::vector<LoadedSpectrum>> read_spectra(const std::string& name,
                                                  const SpectrumChoice& choice,
                                                  std::string& source) {
-  Result<std::string> bytes = read_file(name, max_spectrum_file);
-  if (!bytes) return tl::unexpected(std::move(bytes.error()));
-  source = utf8_text(*bytes, name).value_or(*bytes);
-  auto file = read_spectrum_file(*bytes, name, choice.reading.unit);
+  auto file = is_picture_of_spectra(name) ? read_picture_spectrum(name, choice.entry)
+                                          : read_text(name, choice, source);
   if (!file) return tl::unexpected(std::move(file.error()));
   std::vector<LoadedSpectrum> loaded;
   for (const NamedSpectrum& one : file->spectra) {
