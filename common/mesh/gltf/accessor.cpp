@@ -140,7 +140,11 @@ std::optional<Accessor> Accessor::open(Document& document, const Value& index,
 
 bool Accessor::open_dense(Document& document, const Value& accessor) {
   const Value view = accessor["bufferView"];
-  if (!view) return true;  // All 0.
+  if (!view) {  // All 0.
+    if (count_ > document.most_zeros())
+      accessor["count"].fault("is more than a file of its size may name without a bufferView");
+    return count_ <= document.most_zeros();
+  }
   const auto bytes = bytes_of(document, view, accessor["byteOffset"].whole(most_bytes, 0), count_,
                               components_ * size_of(type_), &stride_);
   data_ = bytes.data();

@@ -112,6 +112,7 @@ Result<Document> Document::open(const Bytes& bytes, const std::string& name,
       unknown += (unknown.empty() ? "" : ", ") + mesh_text::cited(extension);
   if (!unknown.empty()) return problem("requires an extension that is not read: " + unknown);
   document.buffers_.resize(root["buffers"].size());
+  document.size_ = bytes.size();
   if (document.buffers_.size() > max_gltf_buffers)
     return problem("has too many buffers (" + std::to_string(document.buffers_.size()) +
                    "; at most " + std::to_string(max_gltf_buffers) + ")");
@@ -139,7 +140,10 @@ std::span<const char> Document::bytes(const Value& buffer, std::uint64_t offset,
     return {};
   }
   auto& read_before = buffers_[*which];
-  if (!read_before) read_before = read(*which);
+  if (!read_before) {
+    read_before = read(*which);
+    if (*read_before) size_ += (*read_before)->size();
+  }
   if (!*read_before) {
     const Problem& why = read_before->error();
     buffer.fault("can't be read: " + (why.file.empty() ? "" : quoted(why.file) + " ") +

@@ -19,6 +19,9 @@ class Document {
   Value root() const { return {&*json_, {}, *faults_}; }
   const std::optional<std::string>& fault() const { return faults_->first(); }
 
+  /// How many elements without bytes, which are all 0, a file of its size may name.
+  std::uint64_t most_zeros() const { return size_; }
+
   /// `length` bytes of a buffer from `offset` on; a fault and none: there are not so many.
   std::span<const char> bytes(const Value& buffer, std::uint64_t offset, std::uint64_t length);
 
@@ -27,6 +30,7 @@ class Document {
   Result<Bytes> read(std::size_t buffer);
 
   std::string name_;
+  std::uint64_t size_ = 0;  ///< Of the file, and of the buffers that were read.
   const MeshBytes* files_ = nullptr;
   std::unique_ptr<nlohmann::json> json_;
   std::unique_ptr<Faults> faults_ = std::make_unique<Faults>();

@@ -52,10 +52,7 @@ std::vector<Eigen::Affine3d> instances_of(Document& document, const Value& node)
         attributes.fault("have not as many elements each");
       count = std::max(count, (*list)->size());
     }
-  if (document.fault() || count > limits::max_triangles) {
-    attributes.fault("have too many instances");
-    return {};
-  }
+  if (document.fault()) return {};
   const auto vector = [](const std::optional<Accessor>& list, std::size_t i, double otherwise) {
     Eigen::Vector3d v = Eigen::Vector3d::Constant(otherwise);
     if (list) v = {list->number(i, 0), list->number(i, 1), list->number(i, 2)};

@@ -241,8 +241,7 @@ TEST(GltfMesh, AGlbThatIsCutShortHasItsMessageAtEveryLength) {
   EXPECT_NE(problem_of(gltf_of(whole.substr(0, 100))).find("is cut short"), std::string::npos);
 }
 
-TEST(GltfMesh, InstancesAreCountedBeforeTheyAreMade) {
-  GltfText text = triangle();
+TEST(GltfMesh, ElementsWithoutBytesAreAsManyAsAFileOfItsSizeMayName) {
   const auto many = [&](std::size_t count) {
     GltfText one = triangle();
     // Zeros need no bytes: a few hundred bytes of JSON name any number of instances.
