@@ -250,8 +250,31 @@ TEST(GltfMesh, ElementsWithoutBytesAreAsManyAsAFileOfItsSizeMayName) {
         one.json["accessors"].size() - 1;
     return gltf_of(one);
   };
-  EXPECT_EQ(many(1000)->triangles.size(), 1000u);
-  for (const std::size_t count : {60'000'000u, 149'000'000u}) EXPECT_FALSE(many(count)) << count;
+  EXPECT_EQ(many(500)->triangles.size(), 500u);
+  for (const std::size_t count : {10'000u, 40'000'000u, 149'000'000u})
+    EXPECT_EQ(problem_of(many(count)),
+              "error: is not sound glTF: accessors[2].count is more than a file of its size may "
+              "name without a bufferView");
+  // The same for places and indices.
+  for (const std::string name : {"POSITION", "indices"}) {
+    GltfText zeros = triangle();
+    auto& primitive = zeros.json["meshes"][0]["primitives"][0];
+    zeros.json["accessors"].push_back({{"componentType", name == "indices" ? 5125 : 5126},
+                                       {"count", 140'000'000},
+                                       {"type", name == "indices" ? "SCALAR" : "VEC3"}});
+    (name == "indices" ? primitive["indices"] : primitive["attributes"]["POSITION"]) = 2;
+    EXPECT_FALSE(gltf_of(zeros)) << name;
+  }
+}
+
+TEST(GltfMesh, InstancesOfLargeMeshesAreCountedBeforeTheyAreMade) {
+  GltfText text = triangle();
+  const std::vector<std::uint8_t> many(3'000'000);
+  text.json["meshes"][0]["primitives"][0]["indices"] = text.accessor(many, "SCALAR", 1);
+  text.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] =
+      text.vec3(std::vector<float>(3 * 100));
+  EXPECT_NE(problem_of(gltf_of(text)).find("holds more than 50000000 faces"), std::string::npos)
+      << problem_of(gltf_of(text));
 }
 
 TEST(GltfMesh, PiecesBearTheNamesOfNodesAndMaterials) {
