@@ -51,8 +51,11 @@ std::vector<MeshPart> parts_of(const MeshFile& mesh) {
 
 }  // namespace
 
-Result<MeshFile> load_mesh(const std::filesystem::path& path) {
-  const auto files = [&](const std::string& name) -> Result<Bytes> {
+namespace {
+
+/// A mesh file and those that it names, in its folder.
+MeshBytes files_beside(const std::filesystem::path& path) {
+  return [path](const std::string& name) -> Result<Bytes> {
     const bool itself = name == path.filename().string();
     const auto found =
         itself ? find_file(path, limits::max_asset)
@@ -64,9 +67,23 @@ Result<MeshFile> load_mesh(const std::filesystem::path& path) {
     const auto owner = std::make_shared<const std::string>(*std::move(text));
     return Bytes(owner, {owner->data(), owner->size()});
   };
-  auto mesh = read_mesh(path.filename().string(), files);
+}
+
+}  // namespace
+
+Result<MeshFile> load_mesh(const std::filesystem::path& path) {
+  auto mesh = read_mesh(path.filename().string(), files_beside(path));
   if (!mesh) mesh.error().file = path.string();
   return mesh;
+}
+
+Result<GltfScene> load_gltf_scene(const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  const MeshBytes files = files_beside(path);
+  auto scene =
+      files(name).and_then([&](const Bytes& bytes) { return read_gltf_scene(bytes, name, files); });
+  if (!scene) scene.error().file = path.string();
+  return scene;
 }
 
 MeshFacts mesh_facts(const MeshFile& mesh, const std::filesystem::path& path) {

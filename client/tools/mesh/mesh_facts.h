@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "common/mesh/gltf/gltf_scene.h"
 #include "common/mesh/mesh_file.h"
 
 /// What a mesh file holds.
@@ -32,6 +33,9 @@ struct MeshFacts {
 /// limits::max_asset bytes, and what they become is bounded by them. Errors: those of find_file and
 /// read_mesh.
 Result<MeshFile> load_mesh(const std::filesystem::path& path);
+
+/// What a glTF says beside its triangles.
+Result<GltfScene> load_gltf_scene(const std::filesystem::path& path);
 
 /// Of a file that was read from `path`.
 MeshFacts mesh_facts(const MeshFile& mesh, const std::filesystem::path& path);

@@ -119,6 +119,16 @@ bool says_percent(std::string_view heading) {
   return false;
 }
 
+std::string_view name_in(std::string_view heading) {
+  for (const std::string_view unit : {"[%]", "(%)"}) {
+    if (!heading.ends_with(unit)) continue;
+    std::string_view name = heading.substr(0, heading.size() - unit.size());
+    trim(name);
+    if (!name.empty()) return name;
+  }
+  return heading;
+}
+
 std::string unusable_axis(std::string_view heading) {
   if (has_any(heading, {"thz", "frequenc", "frequenz"})) return "frequencies";
   if (has_any(heading, {"cm-1", "cm^-1", "cm⁻¹", "wavenumber", "wellenzahl", "raman"}))

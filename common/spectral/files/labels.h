@@ -28,6 +28,9 @@ std::optional<WavelengthUnit> unit_in(std::string_view heading);
 /// "cotton 100%".
 bool says_percent(std::string_view heading);
 
+/// The name in a heading that ends with its unit: "wool" of "wool [%]" and "wool (%)".
+std::string_view name_in(std::string_view heading);
+
 /// What a heading of wavelengths says instead: "frequencies". Empty: nothing else.
 std::string unusable_axis(std::string_view heading);
 

@@ -229,7 +229,7 @@ std::string Tall::name_of(std::size_t column) const {
     const std::string_view name = headings_[i][column].text;
     const bool unit =
         unit_in(name) || name == "1" || name == "[1]" || (says_percent(name) && name.size() <= 3);
-    if (!name.empty() && !unit) return std::string(name);
+    if (!name.empty() && !unit) return std::string(name_in(name));
   }
   return "column " + std::to_string(column + 1);
 }

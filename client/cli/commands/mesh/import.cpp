@@ -1,0 +1,71 @@
+// A scene made of a mesh file. No server is asked.
+#include <fstream>
+
+#include "client/cli/commands.h"
+#include "client/cli/report.h"
+#include "client/cli/shared_options.h"
+#include "client/tools/mesh/import_scene.h"
+#include "common/image/whole_file.h"
+
+namespace metamer::cli {
+namespace {
+
+struct ImportOptions {
+  std::string file, output;
+  bool force = false, json = false;
+};
+
+ExitCode run(const ImportOptions& options) {
+  Report report(options.json);
+  std::error_code none;
+  const std::filesystem::path output = options.output;
+  if (!options.force && std::filesystem::exists(output, none)) {
+    report.error(quoted(options.output) + " is there already; --force writes over it");
+    return report.finish(ExitCode::bad_input);
+  }
+  const auto scene = client::import_scene(options.file, output.parent_path());
+  if (!scene) {
+    report.problem(scene.error());
+    return report.finish(ExitCode::bad_input);
+  }
+  const std::string text = client::scene_text(*scene, options.file);
+  if (auto written = write_whole_file(output, {text.begin(), text.end()}); !written) {
+    report.error(quoted(options.output) + " " + written.error().message);
+    return report.finish(ExitCode::other);
+  }
+  for (const std::string& sentence : scene->left_out)
+    report.note({.field = {}, .file = options.file, .message = sentence});
+  report.document()["scene"] = options.output;
+  report.document()["objects"] = scene->message.object_size();
+  report.document()["materials"] = scene->message.material_size();
+  report.document()["lights"] = scene->message.light_size();
+  report.document()["left_out"] = scene->left_out;
+  report.line(options.output + ": " + std::to_string(scene->message.object_size()) + " objects, " +
+              std::to_string(scene->message.material_size()) + " materials, " +
+              std::to_string(scene->message.light_size()) + " lights");
+  return report.finish(ExitCode::done);
+}
+
+void declare(ImportOptions& values, Options& options) {
+  options.push_back({.names = "file",
+                     .target = &values.file,
+                     .meaning = "a .ply, .obj, .gltf or .glb",
+                     .required = true});
+  options.push_back({.names = "-o,--output",
+                     .target = &values.output,
+                     .meaning = "the scene, .txtpb, in the mesh's folder or above it",
+                     .required = true});
+  options.push_back(
+      {.names = "--force", .target = &values.force, .meaning = "write over a file that is there"});
+  declare_json(values.json, options);
+}
+
+}  // namespace
+
+Command commands::import_mesh() {
+  return make_command<ImportOptions>(
+      "import", "make a scene of a mesh file: objects, camera, lights, neutral materials", declare,
+      run);
+}
+
+}  // namespace metamer::cli

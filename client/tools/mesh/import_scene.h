@@ -1,0 +1,25 @@
+#pragma once
+
+#include "client/tools/mesh/mesh_facts.h"
+#include "metamer/v1/scene.pb.h"
+
+/// A scene that is made of a mesh file.
+namespace metamer::client {
+
+struct ImportedScene {
+  v1::Scene message;
+  /// What of the file is not in the scene, and what stands for it; as sentences.
+  std::vector<std::string> left_out;
+};
+
+/// One object for each part; the file's materials as neutrals of their base colours' luminance; its
+/// first camera, or one that sees all of it; its lights under D65, their luminance relative to the
+/// brightest in the middle of the scene, or one lamp. `scene_folder`: where the scene file will be;
+/// the mesh has to lie in it or below. Errors: those of load_mesh; a mesh elsewhere.
+Result<ImportedScene> import_scene(const std::filesystem::path& mesh,
+                                   const std::filesystem::path& scene_folder);
+
+/// The scene's text, with what was left out as comments before it.
+std::string scene_text(const ImportedScene& scene, const std::filesystem::path& mesh);
+
+}  // namespace metamer::client
