@@ -42,8 +42,7 @@ std::string difference_text(const SheetCell& cell, bool is_reference) {
   if (is_reference) return {};
   if (!cell.difference) return "no dE00: the light is dark";
   if (cell.difference->count == 0) return "no pixel differs";
-  return formatted("dE00 mean %.2f, max %.2f of %.3g %% of it", cell.difference->mean,
-                   cell.difference->maximum, 100 * cell.share);
+  return formatted("dE00 mean %.2f, max %.2f", cell.difference->mean, cell.difference->maximum);
 }
 
 }  // namespace
