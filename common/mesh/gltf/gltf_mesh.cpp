@@ -111,6 +111,7 @@ class Reader {
 
   void find_draws() {
     const Value root = document_.root(), nodes = root["nodes"], meshes = root["meshes"];
+    const std::vector<std::string> materials = material_names(document_);
     for (const PlacedNode& node : placed_nodes(document_)) {
       if (document_.fault()) return;
       const Value value = nodes[node.index];
@@ -119,7 +120,7 @@ class Reader {
       has_skins_ = has_skins_ || value["skin"];
       const auto [place, is_new] = meshes_.try_emplace(*mesh);
       if (is_new)
-        place->second = {open_primitives(document_, meshes[*mesh], file_.skipped_faces),
+        place->second = {open_primitives(document_, meshes[*mesh], materials, file_.skipped_faces),
                          weights_of(meshes[*mesh]["weights"])};
       std::vector<double> weights =
           value["weights"] ? weights_of(value["weights"]) : place->second.weights;

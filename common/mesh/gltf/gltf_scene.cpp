@@ -33,7 +33,7 @@ std::optional<GltfCamera> camera_of(const Document& document, const PlacedNode& 
 
 std::optional<GltfLight> light_of(const Document& document, const PlacedNode& node,
                                   const Value& light) {
-  GltfLight to{.name = light["name"].text(),
+  GltfLight to{.name = on_one_line(light["name"].text()),
                .kind = GltfLight::Kind::point,
                .position = to_list(node.to_world.translation()),
                .direction = unit(-node.to_world.linear().col(2)),
@@ -58,9 +58,10 @@ std::optional<GltfLight> light_of(const Document& document, const PlacedNode& no
 
 void read_materials(const Document& document, GltfScene& scene) {
   const Value materials = document.root()["materials"];
+  const std::vector<std::string> names = material_names(document);
   for (std::size_t i = 0; i < materials.size(); ++i) {
     const Value rough = materials[i]["pbrMetallicRoughness"];
-    GltfMaterial material{.name = name_of_material(document, i),
+    GltfMaterial material{.name = names[i],
                           .base_color = {1, 1, 1},
                           .is_textured = bool(rough["baseColorTexture"]),
                           .is_metallic = rough["metallicFactor"].number(1) > 0.5};

@@ -1,6 +1,7 @@
 #include "common/mesh/gltf/nodes.h"
 
 #include <algorithm>
+#include <set>
 
 namespace metamer::gltf {
 namespace {
@@ -78,18 +79,34 @@ std::vector<PlacedNode> placed_nodes(const Document& document) {
   return placed;
 }
 
+std::string on_one_line(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(),
+      [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == '\x7F'; }, '_');
+  return name;
+}
+
 std::string name_of_node(const Document& document, std::size_t index) {
   const Value root = document.root(), node = root["nodes"][index];
   std::string name = node["name"].text();
   if (name.empty())
     if (const auto mesh = node["mesh"].index(root["meshes"].size()))
       name = root["meshes"][*mesh]["name"].text();
-  return name.empty() ? "node_" + std::to_string(index) : name;
+  return name.empty() ? "node_" + std::to_string(index) : on_one_line(std::move(name));
 }
 
-std::string name_of_material(const Document& document, std::size_t index) {
-  const std::string name = document.root()["materials"][index]["name"].text();
-  return name.empty() ? "material_" + std::to_string(index) : name;
+std::vector<std::string> material_names(const Document& document) {
+  const Value materials = document.root()["materials"];
+  std::vector<std::string> names;
+  std::set<std::string> given;
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    const std::string own = on_one_line(materials[i]["name"].text());
+    const std::string name = own.empty() ? "material_" + std::to_string(i) : own;
+    std::string one = name;
+    for (int k = 2; !given.insert(one).second; ++k) one = name + " " + std::to_string(k);
+    names.push_back(one);
+  }
+  return names;
 }
 
 }  // namespace metamer::gltf

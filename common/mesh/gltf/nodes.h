@@ -17,10 +17,12 @@ struct PlacedNode {
 /// nobody has for a child. A node that is met twice is a fault.
 std::vector<PlacedNode> placed_nodes(const Document& document);
 
-/// A node's name, else its mesh's, else "node_3".
+/// Without control characters, which a scene's names can't have.
+std::string on_one_line(std::string name);
+/// A node's name, else its mesh's, else "node_3"; on one line.
 std::string name_of_node(const Document& document, std::size_t index);
-/// A material's name, else "material_3".
-std::string name_of_material(const Document& document, std::size_t index);
+/// The materials' names, else "material_3", each once: a second "red" is "red 2"; on one line.
+std::vector<std::string> material_names(const Document& document);
 
 /// Translation, rotation (x y z w, any length) and scale, in the order that glTF applies them.
 Eigen::Affine3d transform(const Eigen::Vector3d& translation, const Eigen::Vector4d& rotation,

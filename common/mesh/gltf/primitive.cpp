@@ -3,7 +3,6 @@
 #include <cstring>
 #include <limits>
 
-#include "common/mesh/gltf/nodes.h"
 #include "common/mesh/parallel.h"
 #include "common/mesh/vertex.h"
 
@@ -33,7 +32,8 @@ std::vector<Primitive::Target> open_targets(Document& document, const Value& tar
   return list;
 }
 
-std::optional<Primitive> open_primitive(Document& document, const Value& value) {
+std::optional<Primitive> open_primitive(Document& document, const Value& value,
+                                        const std::vector<std::string>& material_names) {
   const Value attributes = value["attributes"];
   auto positions = Accessor::open(document, attributes["POSITION"], {"VEC3"});
   if (!positions) return std::nullopt;  // Nothing that could be drawn.
@@ -49,8 +49,8 @@ std::optional<Primitive> open_primitive(Document& document, const Value& value) 
       primitive.indices->type() != Accessor::Type::u32)
     value["indices"].fault("are not whole numbers without a sign");
   primitive.targets = open_targets(document, value["targets"], primitive.positions.size());
-  if (const auto at = value["material"].index(document.root()["materials"].size()))
-    primitive.material = name_of_material(document, *at);
+  if (const auto at = value["material"].index(material_names.size()))
+    primitive.material = material_names[*at];
   return primitive;
 }
 
@@ -212,12 +212,13 @@ Result<void> append_triangles(const Primitive& primitive, const Drawn& drawn, st
 }  // namespace
 
 std::vector<Primitive> open_primitives(Document& document, const Value& mesh,
+                                       const std::vector<std::string>& material_names,
                                        std::uint64_t& skipped) {
   std::vector<Primitive> list;
   const Value primitives = mesh["primitives"];
   for (std::size_t i = 0; i < primitives.size() && !document.fault(); ++i) {
     const std::uint64_t mode = primitives[i]["mode"].whole(most_modes, 4);
-    auto primitive = open_primitive(document, primitives[i]);
+    auto primitive = open_primitive(document, primitives[i], material_names);
     if (!primitive) continue;
     if (mode < 4) {
       skipped += points_and_lines(mode, primitive->corners());

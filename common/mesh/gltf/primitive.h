@@ -27,6 +27,7 @@ struct Primitive {
 
 /// The primitives of a mesh that are triangles; `skipped` counts the points and lines of others.
 std::vector<Primitive> open_primitives(Document& document, const Value& mesh,
+                                       const std::vector<std::string>& material_names,
                                        std::uint64_t& skipped);
 
 /// Where and how a primitive is drawn.

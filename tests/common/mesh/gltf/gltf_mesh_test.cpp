@@ -294,6 +294,23 @@ TEST(GltfMesh, PiecesBearTheNamesOfNodesAndMaterials) {
   EXPECT_EQ(used(file, {"wool", {}, false}).triangles.size(), 1u);
 }
 
+TEST(GltfMesh, MaterialsOfOneNameAreToldApartAndNamesStayOnTheirLine) {
+  GltfText text;
+  const int positions = text.vec3(corners);
+  text.json["materials"] = {{{"name", "red"}}, {{"name", "red"}}, {{"name", "a\nb\x1b"}}};
+  text.node_of({{"attributes", {{"POSITION", positions}}}, {"material", 0}});
+  for (const int material : {1, 2})
+    text.json["meshes"][0]["primitives"].push_back(
+        {{"attributes", {{"POSITION", positions}}}, {"material", material}});
+  text.json["nodes"][0]["name"] = "x\ty";
+  const auto file = gltf_of(text);
+  ASSERT_TRUE(file) << problem_of(file);
+  ASSERT_EQ(file->pieces.size(), 3u);
+  EXPECT_EQ(file->pieces[1].material, "red 2");
+  EXPECT_EQ(file->pieces[2].material, "a_b_");
+  EXPECT_EQ(file->pieces[2].object, "x_y");
+}
+
 TEST(GltfMesh, ANodeFarOutKeepsItsFinePlaces) {
   GltfText text;
   text.node_of({{"attributes", {{"POSITION", text.vec3({0, 0, 0, 0.001f, 0, 0, 0, 0.001f, 0})}}}});
