@@ -39,9 +39,9 @@ std::vector<double> weights_of(const Value& list) {
 }
 
 /// EXT_mesh_gpu_instancing: a transform for each instance, before the node's own.
-std::vector<Eigen::Affine3d> instances_of(Document& document, const Value& node) {
+std::vector<Placement> instances_of(Document& document, const Value& node) {
   const Value attributes = node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
-  if (!attributes) return {Eigen::Affine3d::Identity()};
+  if (!attributes) return {Placement()};
   const auto t = Accessor::open(document, attributes["TRANSLATION"], {"VEC3"}),
              r = Accessor::open(document, attributes["ROTATION"], {"VEC4"}),
              s = Accessor::open(document, attributes["SCALE"], {"VEC3"});
@@ -58,10 +58,10 @@ std::vector<Eigen::Affine3d> instances_of(Document& document, const Value& node)
     if (list) v = {list->number(i, 0), list->number(i, 1), list->number(i, 2)};
     return v;
   };
-  std::vector<Eigen::Affine3d> maps;
+  std::vector<Placement> maps;
   for (std::size_t i = 0; i < count; ++i) {
-    Eigen::Vector4d turn(0, 0, 0, 1);
-    if (r) turn = {r->number(i, 0), r->number(i, 1), r->number(i, 2), r->number(i, 3)};
+    std::array<double, 4> turn = {0, 0, 0, 1};
+    for (std::size_t c = 0; r && c < 4; ++c) turn[c] = r->number(i, c);
     maps.push_back(transform(vector(t, i, 0), turn, vector(s, i, 1)));
   }
   return maps;
@@ -128,7 +128,7 @@ class Reader {
         weights.resize(std::max(weights.size(), primitive.targets.size()));
         has_normals_ = has_normals_ || primitive.normals;
       }
-      for (const Eigen::Affine3d& instance : instances_of(document_, value))
+      for (const Placement& instance : instances_of(document_, value))
         draws_.push_back({node.index, *mesh, {node.to_world * instance, weights}});
     }
   }
@@ -150,7 +150,7 @@ class Reader {
   bool is_far_out() const {
     Eigen::AlignedBox3d box;
     for (const Draw& draw : draws_) {
-      if (draw.drawn.to_world.matrix().isIdentity(0)) continue;  // f32, as the file has it.
+      if (draw.drawn.to_world.is_identity()) continue;  // f32, as the file has it.
       for (const Primitive& primitive : meshes_.at(draw.mesh).primitives)
         box.extend(gltf::box_of(primitive, draw.drawn));
     }

@@ -23,9 +23,9 @@ std::optional<GltfCamera> camera_of(const Document& document, const PlacedNode& 
   }
   const double fov = view["yfov"].number(0) * degrees;
   if (!(fov > 0 && fov < 180)) view["yfov"].fault("must lie between 0 and π");
-  const Eigen::Matrix3d axes = node.to_world.linear();
+  const Eigen::Matrix3d& axes = node.to_world.linear;
   return GltfCamera{.name = name_of_node(document, node.index),
-                    .eye = to_list(node.to_world.translation()),
+                    .eye = to_list(node.to_world.translation),
                     .forward = unit(-axes.col(2)),
                     .up = unit(axes.col(1)),
                     .vertical_fov = fov};
@@ -35,8 +35,8 @@ std::optional<GltfLight> light_of(const Document& document, const PlacedNode& no
                                   const Value& light) {
   GltfLight to{.name = on_one_line(light["name"].text()),
                .kind = GltfLight::Kind::point,
-               .position = to_list(node.to_world.translation()),
-               .direction = unit(-node.to_world.linear().col(2)),
+               .position = to_list(node.to_world.translation),
+               .direction = unit(-node.to_world.linear.col(2)),
                .intensity = light["intensity"].number(1),
                .inner_cone = light["spot"]["innerConeAngle"].number(0) * degrees,
                .outer_cone = light["spot"]["outerConeAngle"].number(std::numbers::pi / 4) * degrees,

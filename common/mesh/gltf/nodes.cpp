@@ -1,24 +1,29 @@
 #include "common/mesh/gltf/nodes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace metamer::gltf {
 namespace {
 
-Eigen::Affine3d local_transform(const Value& node) {
-  if (const auto m = node["matrix"].numbers(16)) {
-    Eigen::Affine3d map;
-    map.matrix() = Eigen::Map<const Eigen::Matrix4d>(m->data());  // By columns, as Eigen has them.
-    if (map.matrix().row(3) != Eigen::RowVector4d(0, 0, 0, 1))
+Placement local_transform(const Value& node) {
+  if (const auto m = node["matrix"].numbers(16)) {  // By columns.
+    Placement map;
+    for (int column = 0; column < 3; ++column)
+      for (int row = 0; row < 3; ++row)
+        map.linear(row, column) = (*m)[static_cast<std::size_t>(4 * column + row)];
+    map.translation = {(*m)[12], (*m)[13], (*m)[14]};
+    if ((*m)[3] != 0 || (*m)[7] != 0 || (*m)[11] != 0 || (*m)[15] != 1)
       node["matrix"].fault("is not affine");
     return map;
   }
   const auto t = node["translation"].numbers(3), r = node["rotation"].numbers(4),
              s = node["scale"].numbers(3);
-  return transform(t ? Eigen::Vector3d(t->data()) : Eigen::Vector3d::Zero(),
-                   r ? Eigen::Vector4d(r->data()) : Eigen::Vector4d(0, 0, 0, 1),
-                   s ? Eigen::Vector3d(s->data()) : Eigen::Vector3d::Ones());
+  return transform(
+      t ? Eigen::Vector3d(t->data()) : Eigen::Vector3d::Zero(),
+      r ? std::array{(*r)[0], (*r)[1], (*r)[2], (*r)[3]} : std::array{0.0, 0.0, 0.0, 1.0},
+      s ? Eigen::Vector3d(s->data()) : Eigen::Vector3d::Ones());
 }
 
 /// Where the walk begins.
@@ -45,12 +50,21 @@ std::vector<std::size_t> roots(const Document& document, std::size_t count) {
 
 }  // namespace
 
-Eigen::Affine3d transform(const Eigen::Vector3d& translation, const Eigen::Vector4d& rotation,
-                          const Eigen::Vector3d& scale) {
-  Eigen::Affine3d map = Eigen::Affine3d::Identity();
-  map.translate(translation);
-  if (rotation.norm() > 0) map.rotate(Eigen::Quaterniond(rotation.normalized()));
-  return map.scale(scale);
+Placement transform(const Eigen::Vector3d& translation, const std::array<double, 4>& rotation,
+                    const Eigen::Vector3d& scale) {
+  Placement map;
+  map.translation = translation;
+  const double length =
+      std::hypot(std::hypot(rotation[0], rotation[1]), std::hypot(rotation[2], rotation[3]));
+  if (length > 0) {
+    const double x = rotation[0] / length, y = rotation[1] / length, z = rotation[2] / length,
+                 w = rotation[3] / length;
+    map.linear << 1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w),  //
+        2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w),            //
+        2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y);
+  }
+  for (int column = 0; column < 3; ++column) map.linear.col(column) *= scale[column];
+  return map;
 }
 
 std::vector<PlacedNode> placed_nodes(const Document& document) {
@@ -61,7 +75,7 @@ std::vector<PlacedNode> placed_nodes(const Document& document) {
   std::vector<PlacedNode> next;
   const auto begin = roots(document, count);
   for (auto root = begin.rbegin(); root != begin.rend(); ++root)
-    next.push_back({*root, Eigen::Affine3d::Identity()});
+    next.push_back({*root, Placement()});
   while (!next.empty() && !document.fault()) {
     PlacedNode node = next.back();
     next.pop_back();

@@ -1,16 +1,30 @@
 #pragma once
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "common/mesh/gltf/document.h"
 
 namespace metamer::gltf {
 
+/// An affine map. Not Eigen's own, whose alignment depends on the processor that a source is
+/// compiled for: renderers have another than this.
+struct Placement {
+  Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+
+  Eigen::Vector3d operator*(const Eigen::Vector3d& p) const { return linear * p + translation; }
+  Placement operator*(const Placement& inner) const {
+    return {linear * inner.linear, linear * inner.translation + translation};
+  }
+  bool is_identity() const { return linear.isIdentity(0) && translation.isZero(0); }
+};
+
 /// A node of the scene, where it stands.
 struct PlacedNode {
-  std::size_t index;         ///< In the document's nodes.
-  Eigen::Affine3d to_world;  ///< glTF's space is Metamer's: right-handed, y up, metres.
+  std::size_t index;   ///< In the document's nodes.
+  Placement to_world;  ///< glTF's space is Metamer's: right-handed, y up, metres.
 };
 
 /// The default scene's nodes, parents before children; where no scene is named, all nodes that
@@ -24,8 +38,9 @@ std::string name_of_node(const Document& document, std::size_t index);
 /// The materials' names, else "material_3", each once: a second "red" is "red 2"; on one line.
 std::vector<std::string> material_names(const Document& document);
 
-/// Translation, rotation (x y z w, any length) and scale, in the order that glTF applies them.
-Eigen::Affine3d transform(const Eigen::Vector3d& translation, const Eigen::Vector4d& rotation,
-                          const Eigen::Vector3d& scale);
+/// Translation, rotation (a quaternion x y z w of any length) and scale, in the order that glTF
+/// applies them.
+Placement transform(const Eigen::Vector3d& translation, const std::array<double, 4>& rotation,
+                    const Eigen::Vector3d& scale);
 
 }  // namespace metamer::gltf

@@ -80,7 +80,7 @@ std::vector<const Accessor*> targets_of(const Primitive& primitive, const Drawn&
   return list;
 }
 
-Double3 mapped(const Eigen::Affine3d& map, const Double3& p) {
+Double3 mapped(const Placement& map, const Double3& p) {
   const Eigen::Vector3d q = map * Eigen::Vector3d(p.data());
   return {q.x(), q.y(), q.z()};
 }
@@ -94,7 +94,7 @@ Result<void> append_positions(const Primitive& primitive, const Drawn& drawn, bo
     to.positions.resize(base + count);
   const auto targets = targets_of(primitive, drawn, &Primitive::Target::positions);
   const bool as_it_stands = !f64 && targets.empty() && primitive.positions.f32(0) != nullptr &&
-                            drawn.to_world.matrix().isIdentity(0);
+                            drawn.to_world.is_identity();
   FirstProblem first;
   for_ranges(count, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -128,7 +128,7 @@ void append_normals(const Primitive& primitive, const Drawn& drawn, std::size_t 
   to.normals.resize(base + count);
   if (!primitive.normals) return;
   // The cofactors: as the inverse transpose, also where a node is flattened.
-  const Eigen::Matrix3d a = drawn.to_world.linear();
+  const Eigen::Matrix3d& a = drawn.to_world.linear;
   Eigen::Matrix3d map;
   map.col(0) = a.col(1).cross(a.col(2));
   map.col(1) = a.col(2).cross(a.col(0));
@@ -173,7 +173,7 @@ std::array<std::size_t, 3> corners_of(Primitive::Mode mode, std::size_t t) {
 
 Result<void> append_triangles(const Primitive& primitive, const Drawn& drawn, std::size_t base,
                               MeshFile& to) {
-  const bool turned = drawn.to_world.linear().determinant() < 0;
+  const bool turned = drawn.to_world.linear.determinant() < 0;
   const std::size_t count = primitive.triangles(), vertices = primitive.positions.size();
   const std::size_t begin_of_all = to.triangles.size();
   to.triangles.resize(begin_of_all + count);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/mesh/gltf/accessor.h"
+#include "common/mesh/gltf/nodes.h"
 
 namespace metamer::gltf {
 
@@ -32,7 +33,7 @@ std::vector<Primitive> open_primitives(Document& document, const Value& mesh,
 
 /// Where and how a primitive is drawn.
 struct Drawn {
-  Eigen::Affine3d to_world;
+  Placement to_world;
   std::vector<double> weights;  ///< Of the targets, as many.
 };
 
