@@ -171,7 +171,7 @@ void run_importer(Descriptor worker, const std::filesystem::path& store) {
   while (auto socket = receive_descriptor(worker.get())) {
     const int guard = fork();
     if (guard == 0) {
-      Descriptor(worker.release());
+      worker = Descriptor();  // The guard has no use for it.
       run_guard(*socket, store);
     }
   }
