@@ -34,7 +34,7 @@ v1::ImportMesh message_of(const MeshRequest& request, const worker::AssetNames& 
   const bool names_others = has_extension(request.file, ".gltf");
   for (const v1::AssetName& file : files)
     if (names_others || file.name() == request.file) *message.add_asset() = file;
-  for (const auto& [field, use] : request.meshes) {
+  for (const auto& [field, use, key] : request.meshes) {
     v1::ImportMesh::Mesh& to = *message.add_mesh();
     to.set_field(field);
     to.set_part(use.part);

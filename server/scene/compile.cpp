@@ -198,7 +198,7 @@ class Compiler {
         .to_world = placement(object.transform())};
     switch (object.shape_case()) {
       case v1::Object::kMesh:
-        to.mesh = known_meshes_.at(object.mesh().SerializeAsString());
+        to.mesh = known_meshes_.at(mesh_key(object.mesh()));
         break;
       case v1::Object::kQuad:
         to.mesh = quad(object.quad());
@@ -250,40 +250,20 @@ class Compiler {
     return mesh_bounds_[mesh];
   }
 
-  /// Reads each file once, whatever objects make of it.
   void import_files() {
-    std::vector<MeshRequest> requests;
-    std::vector<std::vector<std::string>> keys;  ///< Of their meshes.
-    std::map<std::string, std::size_t> places;
-    for (int i = 0; i < scene_.object_size(); ++i) {
-      if (!scene_.object(i).has_mesh()) continue;
-      const v1::Mesh& mesh = scene_.object(i).mesh();
-      const std::string key = mesh.SerializeAsString();
-      if (!known_meshes_.try_emplace(key, 0).second) continue;
-      const auto [place, is_new] = places.try_emplace(mesh.file(), requests.size());
-      if (is_new) {
-        requests.push_back({mesh.file(), {}});
-        keys.emplace_back();
-      }
-      keys[place->second].push_back(key);
-      requests[place->second].meshes.push_back(
-          {"object[" + std::to_string(i) + "].mesh",
-           {mesh.part(),
-            mesh.has_crease_angle() ? std::optional(mesh.crease_angle()) : std::nullopt,
-            needs_tangents_}});
+    for (const MeshRequest& request : mesh_requests(scene_, needs_tangents_)) {
+      if (cancelled_) return;
+      take_meshes(import_(request), request);
     }
-    for (std::size_t i = 0; i < requests.size() && !cancelled_; ++i)
-      take_meshes(import_(requests[i]), requests[i], keys[i]);
   }
 
-  void take_meshes(Result<std::vector<TriangleMesh>> imported, const MeshRequest& request,
-                   const std::vector<std::string>& keys) {
+  void take_meshes(Result<std::vector<TriangleMesh>> imported, const MeshRequest& request) {
     if (!imported) {
       problems_.push_back(std::move(imported.error()));
-      imported.emplace(keys.size());  // Objects are checked all the same.
+      imported.emplace(request.meshes.size());  // Objects are checked all the same.
     }
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-      known_meshes_[keys[i]] = static_cast<std::uint32_t>(result_.meshes.size());
+    for (std::size_t i = 0; i < request.meshes.size(); ++i) {
+      known_meshes_[request.meshes[i].key] = static_cast<std::uint32_t>(result_.meshes.size());
       note((*imported)[i].notes, request.meshes[i].field + ".file");
       result_.meshes.push_back(std::move((*imported)[i]));
     }
@@ -323,7 +303,7 @@ class Compiler {
   std::vector<Problem> problems_;
   SpectrumIndex known_emissions_, known_properties_, known_constants_;
   bool needs_tangents_ = false;                        ///< Of any material.
-  std::map<std::string, std::uint32_t> known_meshes_;  ///< By their message.
+  std::map<std::string, std::uint32_t> known_meshes_;  ///< By mesh_key().
   std::map<std::string, std::uint32_t> known_materials_;
   std::vector<Eigen::AlignedBox3d> mesh_bounds_;
 };

@@ -7,6 +7,7 @@
 #include "common/mesh/mesh_file.h"
 #include "common/problem.h"
 #include "common/scene/validate.h"
+#include "metamer/v1/scene.pb.h"
 
 namespace metamer {
 
@@ -16,9 +17,15 @@ struct MeshRequest {
   struct Mesh {
     std::string field;  ///< Of the scene, that asks first: "object[2].mesh".
     MeshUse use;
+    std::string key = {};  ///< Equal for the objects that share it: mesh_key().
   };
   std::vector<Mesh> meshes;
 };
+
+/// What tells a mesh of a scene from others.
+std::string mesh_key(const v1::Mesh& mesh);
+/// Each file of a scene once, with each mesh that objects make of it once. `tangents`: of all.
+std::vector<MeshRequest> mesh_requests(const v1::Scene& scene, bool tangents);
 
 /// Imports a file: its meshes in their order. Errors, with their field: see read_mesh(),
 /// triangles_of().
