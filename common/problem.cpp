@@ -103,7 +103,7 @@ std::string format(const Problem& problem, std::string_view source) {
   return text;
 }
 
-std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
+std::string best_match(std::string_view name, const std::vector<std::string>& known) {
   if (name.empty() || name.size() > max_name) return {};
   std::size_t closest = std::max<std::size_t>(1, name.size() / 3) + 1;
   const std::string* best = nullptr;
@@ -114,7 +114,21 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
     closest = distance;
     best = &candidate;
   }
-  return best != nullptr ? "; did you mean " + quoted(*best) + "?" : std::string();
+  return best != nullptr ? *best : std::string();
+}
+
+std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
+  return unknown_name({}, name, known).message;
+}
+
+Problem unknown_name(std::string message, std::string_view name,
+                     const std::vector<std::string>& known) {
+  Problem problem{.field = {}, .file = {}, .message = std::move(message)};
+  problem.meant = best_match(name, known);
+  if (problem.meant.empty()) return problem;
+  problem.was = name;
+  problem.message += "; did you mean " + quoted(problem.meant) + "?";
+  return problem;
 }
 
 std::string quoted(std::string_view text) {

@@ -14,6 +14,11 @@ struct Problem {
   int line = 0;         ///< In `file`, from 1; 0: not known.
   int column = 0;       ///< In `file`, from 1; 0: not known.
   std::string message;  ///< One sentence, no capital, no full stop: "radius must be above 0".
+  /// What stands there, as it is written but without quotes, and what can be put in its place: the
+  /// near match or the nearest value that is allowed. Empty: nothing can; `was` alone: a file that
+  /// does not exist.
+  std::string was{};
+  std::string meant{};
 };
 
 /// A value, or what is wrong with the input that it should have come from.
@@ -32,11 +37,18 @@ inline tl::unexpected<Problem> problem(std::string message) {
 /// could command a terminal, come out as `?`.
 std::string format(const Problem& problem, std::string_view source = {});
 
-/// `; did you mean "tcs09"?` when one of `known` is close to `name` (edit distance at most a third
-/// of its length, at least 1), else an empty string.
-/// The distance is Damerau–Levenshtein's (optimal string alignment); upper and lower case are
-/// alike.
+/// The one of `known` that is closest to `name`; empty where none is close (edit distance at most a
+/// third of its length, at least 1). The distance is Damerau–Levenshtein's (optimal string
+/// alignment); upper and lower case are alike.
+std::string best_match(std::string_view name, const std::vector<std::string>& known);
+
+/// `; did you mean "tcs09"?` of the best match; an empty string where there is none.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);
+
+/// A problem with a name of the input that is none of `known`: `message`, with the best match at
+/// its end, which can be put in its place.
+Problem unknown_name(std::string message, std::string_view name,
+                     const std::vector<std::string>& known);
 
 /// `text` in double quotes, as a message cites somebody's input: control characters come out as
 /// `?`, and it is cut after 60 bytes.

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <span>
 
 #include "common/color/rgb_space.h"
 
@@ -15,22 +17,34 @@ class EightBit {
 
   /// Below 0 and what is not a number: 0; above 1: 255.
   std::uint8_t operator()(float linear) const {
-    if (!(linear > 0)) return 0;
-    if (linear >= 1) return 255;
-    unsigned code = first_code_[static_cast<unsigned>(linear * cells)];
-    while (linear >= lowest_[code + 1]) ++code;
+    const float value = linear > 0 ? (linear < 1 ? linear : 1) : 0;
+    const Cell& cell = cells_[cell_of(value > least ? value : least)];
+    unsigned code = cell.code + (value >= cell.step);
+    while (value >= lowest_[code + 1]) ++code;  // where a cell holds several steps
     return static_cast<std::uint8_t>(code);
   }
+  /// The same of many.
+  void operator()(std::span<const float> linear, std::uint8_t* codes) const;
 
   /// What clipping loses more than rounding does: half a step.
   bool is_below(float linear) const { return !(linear > below_); }
   bool is_above(float linear) const { return linear >= lowest_[256]; }
 
  private:
-  static constexpr unsigned cells = 4096;
+  // Cells are equal parts of octaves, found by a float's bits: exponent, 7 bits of the fraction.
+  static constexpr float least = 0x1p-24f;  ///< Where they begin.
+  static constexpr unsigned shift = 16, cells = (24 << 7) + 1;
+  static unsigned cell_of(float value) {
+    return (std::bit_cast<std::uint32_t>(value) - std::bit_cast<std::uint32_t>(least)) >> shift;
+  }
+  struct Cell {
+    float step;          ///< The least value of the next code.
+    std::uint32_t code;  ///< Of its least value; of 0 in the first.
+  };
 
-  std::array<float, 257> lowest_;                 ///< Value of a code; of 256: above all.
-  std::array<std::uint8_t, cells> first_code_{};  ///< Of the values in each of equal cells.
+  std::array<float, 257> lowest_;  ///< Value of a code; of 256: above all.
+  std::array<Cell, cells> cells_;
+  bool single_steps_ = true;  ///< No cell holds several, nor does any lie below the cells.
   float below_;
 };
 

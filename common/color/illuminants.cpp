@@ -9,6 +9,7 @@
 #include "common/color/radiators.h"
 #include "common/spectral/cie.h"
 #include "common/spectral/lines.h"
+#include "common/spectral/value_bounds.h"
 #include "common/spectral/wavelengths.h"
 
 namespace metamer {
@@ -54,27 +55,53 @@ Result<Spectrum> light_of_lines(std::string_view name, const std::vector<Line>& 
                      " nm (it is " + number_text(line.nm) + ")");
     if (!(line.power > 0) || !std::isfinite(line.power))
       return problem(quoted(name) + ": a line's power is above 0");
+    if (!(line.power >= least_peak && line.power <= most_value))
+      return problem(quoted(name) + ": a line's power lies in " + number_text(least_peak) + ".." +
+                     number_text(most_value));
   }
   return with_lines({}, lines);
 }
 
-/// How a name would have to be written that is nearly that of a temperature or a line: "2856",
-/// "D6504K", "D:6504 K", "546 nm". Empty: it is like none.
-std::string meant(std::string_view name) {
+struct Meant {
+  const char* what;
+  std::string name;
+};
+
+/// How lines would have to be written whose names lack a unit: "436:0.6 + 546.1".
+std::optional<Meant> meant_lines(std::string text) {
+  std::string name;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('+', begin), text.size());
+    const std::string one = text.substr(begin, end - begin);
+    const std::string power = one.substr(std::min(one.find(':'), one.size()));
+    std::string nm = one.substr(0, one.size() - power.size());
+    if (nm.ends_with("nm")) nm.resize(nm.size() - 2);
+    if (!number_of(nm) || (!power.empty() && !number_of(power.substr(1)))) return std::nullopt;
+    name += (name.empty() ? "" : "+") + nm + "nm" + power;
+    begin = end + 1;
+  }
+  return Meant{"a list of lines", std::move(name)};
+}
+
+/// How a name would have to be written that is nearly that of a temperature or of lines: "2856",
+/// "D6504K", "D:6504 K", "546 nm", "436:0.6 + 546"; and what that is. Nothing: it is like none.
+std::optional<Meant> meant(std::string_view name) {
   std::string text;
   for (const char c : name)
     if (c != ' ') text += c;
-  const bool line = text.ends_with("nm");
   const bool daylight = text.starts_with('D') || text.starts_with('d');
+  if (!daylight && text.find_first_of("+:") != std::string::npos)
+    return meant_lines(std::move(text));
+  const bool line = text.ends_with("nm");
   if (daylight) text.erase(0, text.size() > 1 && text[1] == ':' ? 2 : 1);
   if (line) text.erase(text.size() - 2);
   if (text.ends_with('K') || text.ends_with('k')) text.pop_back();
   const auto number = number_of(text);
-  if (!number) return {};
-  if (line) return daylight ? std::string() : "a line is " + quoted(text + "nm");
-  if (!(*number >= coldest_kelvin)) return {};
-  return daylight ? "daylight of that temperature is " + quoted("D:" + text + "K")
-                  : "a black body of that temperature is " + quoted(text + "K");
+  if (!number) return std::nullopt;
+  if (line) return daylight ? std::nullopt : std::optional(Meant{"a line", text + "nm"});
+  if (!(*number >= coldest_kelvin)) return std::nullopt;
+  return daylight ? Meant{"daylight of that temperature", "D:" + text + "K"}
+                  : Meant{"a black body of that temperature", text + "K"};
 }
 
 tl::unexpected<Problem> out_of_range(std::string_view name, const char* what, double from,
@@ -91,7 +118,7 @@ std::vector<double> positions(double step) {
 
 bool names_formula(std::string_view name) {
   return kelvin_of(name) || (name.starts_with("D:") && kelvin_of(name.substr(2))) ||
-         lines_of(name) || !meant(name).empty();
+         lines_of(name) || meant(name);
 }
 
 Result<Spectrum> illuminant_named(std::string_view name) {
@@ -109,10 +136,15 @@ Result<Spectrum> illuminant_named(std::string_view name) {
     return planckian(*kelvin, positions(1));
   }
   if (const auto lines = lines_of(name)) return light_of_lines(name, *lines);
-  if (const std::string hint = meant(name); !hint.empty())
-    return problem(quoted(name) + " is not a standard illuminant; " + hint);
-  return problem(quoted(name) + " is not a standard illuminant" +
-                 did_you_mean(name, cie::illuminant_names()));
+  const std::string wrong = quoted(name) + " is not a standard illuminant";
+  if (const auto hint = meant(name))
+    return tl::unexpected(
+        Problem{.field = {},
+                .file = {},
+                .message = wrong + "; " + hint->what + " is " + quoted(hint->name),
+                .was = std::string(name),
+                .meant = hint->name});
+  return tl::unexpected(unknown_name(wrong, name, cie::illuminant_names()));
 }
 
 }  // namespace metamer

@@ -13,9 +13,11 @@ Image make_image(int width, int height, std::vector<std::string> channels) {
 }
 
 void to_linear_rgb(const Matrix3& matrix, const float* xyz, float* rgb, std::size_t pixels) {
-  for (std::size_t i = 0; i < pixels; ++i, xyz += 3, rgb += 3) {
-    const Rgb linear = multiply(matrix, Xyz{xyz[0], xyz[1], xyz[2]});
-    for (std::size_t c = 0; c < 3; ++c) rgb[c] = static_cast<float>(linear[c]);
+  const Matrix3 m = matrix;  // no store can change it
+  for (std::size_t i = 0; i < 3 * pixels; i += 3) {
+    const double x = xyz[i], y = xyz[i + 1], z = xyz[i + 2];
+    for (std::size_t row = 0; row < 3; ++row)
+      rgb[i + row] = static_cast<float>(m[row][0] * x + m[row][1] * y + m[row][2] * z);
   }
 }
 

@@ -9,9 +9,10 @@ namespace metamer {
 
 /// A line of text in a picture.
 struct Label {
-  enum class Place { left, center };
+  enum class Place { left, center, right };
 
-  int x = 0, y = 0;  ///< Where its base line begins, or has its middle; pixels from the upper left.
+  int x = 0,
+      y = 0;  ///< Where its base line begins, has its middle or ends; pixels from the upper left.
   std::string words = {};
   int width = 0;  ///< What is wider ends in "..."; 0: as wide as it is.
   Place place = Place::left;

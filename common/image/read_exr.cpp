@@ -2,14 +2,20 @@
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
 #include <algorithm>
+#include <boost/interprocess/streams/bufferstream.hpp>
+#include <cstring>
 #include <exception>
+#include <fstream>
+#include <stdexcept>
 
+#include "common/image/exr_header.h"
 #include "common/image/picture_file.h"
 
 namespace metamer {
@@ -46,24 +52,60 @@ ExrPart to_part(const Imf::Header& header) {
   return part;
 }
 
+/// Bytes in memory as OpenEXR reads a file.
+class ByteStream : public Imf::IStream {
+ public:
+  ByteStream(std::string_view bytes, const std::string& name)
+      : Imf::IStream(name.c_str()), bytes_(bytes) {}
+
+  bool read(char to[], int count) override {
+    if (count < 0 || at_ > bytes_.size() || static_cast<std::size_t>(count) > bytes_.size() - at_)
+      throw std::runtime_error("it ends too early");
+    std::memcpy(to, bytes_.data() + at_, static_cast<std::size_t>(count));
+    at_ += static_cast<std::size_t>(count);
+    return at_ < bytes_.size();
+  }
+  std::uint64_t tellg() override { return at_; }
+  void seekg(std::uint64_t position) override { at_ = position; }
+
+ private:
+  std::string_view bytes_;
+  std::uint64_t at_ = 0;
+};
+
+Result<void> check_header(const ExrSource& source) {
+  if (source.bytes) {
+    boost::interprocess::ibufferstream in(source.bytes->data(), source.bytes->size());
+    return check_exr_header(in, source.name);
+  }
+  std::ifstream in(source.name, std::ios::binary);
+  return check_exr_header(in, source.name);
+}
+
 /// Opens the file and lets `read` take it from there; what OpenEXR throws becomes a value.
 template <class Read>
-auto with_exr(const fs::path& file, const Read& read)
+auto with_exr(const ExrSource& source, const Read& read)
     -> decltype(read(std::declval<Imf::MultiPartInputFile&>())) {
+  if (auto good = check_header(source); !good) return tl::unexpected<Problem>(good.error());
   try {
     // What a header may ask for before anything is checked here: a table of its rows or tiles.
     constexpr int longest_side = 1 << 22;
     Imf::Header::setMaxImageSize(longest_side, longest_side);
     Imf::Header::setMaxTileSize(longest_side, longest_side);
-    Imf::MultiPartInputFile input(file.c_str(), 0);
+    if (!source.bytes) {
+      Imf::MultiPartInputFile input(source.name.c_str(), 0);
+      return read(input);
+    }
+    ByteStream stream(*source.bytes, source.name.string());
+    Imf::MultiPartInputFile input(stream, 0);
     return read(input);
   } catch (const std::exception& error) {
-    return file_problem(file, "can't read the picture: " + first_line(error.what()));
+    return file_problem(source.name, "can't read the picture: " + first_line(error.what()));
   }
 }
 
 /// Why these channels can't be read; the size decides how much memory is taken.
-Result<void> check_part(const fs::path& file, const ExrPart& part,
+Result<void> check_part(const fs::path& file, const ExrPart& part, const PixelWindow& wanted,
                         const std::vector<std::string>& channels) {
   if (part.deep())
     return file_problem(file, "can't read the picture: it is deep (" + part.type + ")");
@@ -72,7 +114,7 @@ Result<void> check_part(const fs::path& file, const ExrPart& part,
         std::find(channels.begin(), channels.end(), channel.name) != channels.end())
       return file_problem(file, "can't read the picture: channel " + quoted(channel.name) +
                                     " has fewer samples than there are pixels");
-  for (const PixelWindow& window : {part.display, part.data})
+  for (const PixelWindow& window : {wanted, part.data})
     if (auto good = check_size(file, window.width(), window.height(), channels.size()); !good)
       return good;
   const PixelWindow &a = part.display, &b = part.data;
@@ -94,13 +136,13 @@ Imf::FrameBuffer rows_to_read(const std::vector<std::string>& channels, float* v
   return buffer;
 }
 
-Image read_pixels(Imf::MultiPartInputFile& file, int number, const ExrPart& part,
-                  const std::vector<std::string>& channels) {
-  const PixelWindow &display = part.display, &data = part.data;
+Image read_pixels(Imf::MultiPartInputFile& file, int number, const PixelWindow& display,
+                  const PixelWindow& data, const std::vector<std::string>& channels) {
   Image image = make_image(display.width(), display.height(), channels);
   Imf::InputPart input(file, number);
   const int x0 = std::max(display.x0, data.x0), x1 = std::min(display.x1, data.x1);
   const int end = std::min(display.y1, data.y1) + 1;
+  if (x0 > x1) return image;
   constexpr int rows_at_a_time = 64;  // no second picture is held
   const std::size_t row = static_cast<std::size_t>(data.width()) * channels.size();
   std::vector<float> values(row *
@@ -121,24 +163,29 @@ Image read_pixels(Imf::MultiPartInputFile& file, int number, const ExrPart& part
 
 }  // namespace
 
-Result<std::vector<ExrPart>> read_exr_parts(const fs::path& file) {
-  return with_exr(file, [](const Imf::MultiPartInputFile& input) -> Result<std::vector<ExrPart>> {
+Result<std::vector<ExrPart>> read_exr_parts(const ExrSource& source) {
+  return with_exr(source, [](const Imf::MultiPartInputFile& input) -> Result<std::vector<ExrPart>> {
     std::vector<ExrPart> parts;
     for (int i = 0; i < input.parts(); ++i) parts.push_back(to_part(input.header(i)));
     return parts;
   });
 }
 
-Result<Image> read_exr(const fs::path& file, const std::vector<ExrPart>& parts, std::size_t part,
-                       const std::vector<std::string>& channels) {
-  if (const auto good = check_part(file, parts[part], channels); !good)
+Result<Image> read_exr(const ExrSource& source, const std::vector<ExrPart>& parts, std::size_t part,
+                       const std::vector<std::string>& channels,
+                       const std::optional<PixelWindow>& only) {
+  const PixelWindow& display = parts[part].display;
+  const PixelWindow wanted = !only ? display
+                                   : PixelWindow{display.x0 + only->x0, display.y0 + only->y0,
+                                                 display.x0 + only->x1, display.y0 + only->y1};
+  if (const auto good = check_part(source.name, parts[part], wanted, channels); !good)
     return tl::unexpected<Problem>(good.error());
-  return with_exr(file, [&](Imf::MultiPartInputFile& input) -> Result<Image> {
+  return with_exr(source, [&](Imf::MultiPartInputFile& input) -> Result<Image> {
     const int number = static_cast<int>(part);
     if (input.parts() != static_cast<int>(parts.size()) ||
         to_window(input.header(number).dataWindow()) != parts[part].data)
-      return file_problem(file, "the file has changed");
-    return read_pixels(input, number, parts[part], channels);
+      return file_problem(source.name, "the file has changed");
+    return read_pixels(input, number, wanted, parts[part].data, channels);
   });
 }
 

@@ -55,10 +55,12 @@ class Reader {
   png_infop info;
 };
 
-/// All before the pixels. False: libpng jumped back here, over frames that have nothing to destroy.
-bool read_info(png_structp png, png_infop info) {
+/// All before the pixels, and how many bytes each row of the file has. False: libpng jumped back
+/// here, over frames that have nothing to destroy.
+bool read_info(png_structp png, png_infop info, std::size_t& stored_row) {
   if (setjmp(png_jmpbuf(png))) return false;
   png_read_info(png, info);
+  stored_row = png_get_rowbytes(png, info);
   png_set_palette_to_rgb(png);
   png_set_expand_gray_1_2_4_to_8(png);
   if (png_get_valid(png, info, PNG_INFO_tRNS)) png_set_tRNS_to_alpha(png);
@@ -131,6 +133,14 @@ void to_floats(const Bytes& bytes, int bits, std::vector<float>& values) {
       values[i] = static_cast<float>(bytes[2 * i] << 8 | bytes[2 * i + 1]) / 65535;
 }
 
+/// Whether so many bytes of rows can be in a file: deflate makes at most 1032 of one (zlib's
+/// technical notes). What is cut short asks for no more memory than its size allows.
+bool can_hold(const std::filesystem::path& file, std::size_t bytes) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  return error || bytes / 1032 <= size;
+}
+
 tl::unexpected<Problem> unreadable(const std::filesystem::path& file, const std::string& why) {
   return file_problem(file, "can't read the picture: " + first_line(why));
 }
@@ -142,7 +152,8 @@ Result<PngPicture> read_png(const std::filesystem::path& file) {
                                                              std::fclose);
   if (!open) return unreadable(file, std::strerror(errno));
   Reader reader(open.get());
-  if (!reader.info || !read_info(reader.png, reader.info))
+  std::size_t stored_row = 0;
+  if (!reader.info || !read_info(reader.png, reader.info, stored_row))
     return unreadable(file, reader.said.error);
 
   PngPicture picture;
@@ -155,6 +166,9 @@ Result<PngPicture> read_png(const std::filesystem::path& file) {
   read_color(reader, picture);
 
   const std::size_t row = png_get_rowbytes(reader.png, reader.info);
+  if (!can_hold(file, stored_row * static_cast<std::size_t>(height)))
+    return unreadable(file, "it is cut short, or its size is wrong: " + std::to_string(width) +
+                                " × " + std::to_string(height) + " pixels can't be in it");
   Bytes bytes(row * static_cast<std::size_t>(height));
   std::vector<png_bytep> rows;
   for (std::size_t at = 0; at < bytes.size(); at += row) rows.push_back(bytes.data() + at);

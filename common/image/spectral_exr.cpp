@@ -134,14 +134,15 @@ Result<void> write_spectral_exr(const SpectralImage& image, const Image& preview
   return {};
 }
 
-Result<SpectralImage> read_spectral_layer(const fs::path& file, const std::vector<ExrPart>& parts,
-                                          const ExrLayer& layer) {
+Result<SpectralImage> read_spectral_layer(const ExrSource& source,
+                                          const std::vector<ExrPart>& parts, const ExrLayer& layer,
+                                          const std::optional<PixelWindow>& only) {
   const std::size_t prefix = layer.layer.empty() ? 0 : layer.layer.size() + 1;
   const Result<Bands> found = find_bands(layer.channels, prefix);
-  if (!found) return file_problem(file, found.error().message);
+  if (!found) return file_problem(source.name, found.error().message);
   std::vector<std::string> channels;
   for (const Band& band : found->bands) channels.push_back(layer.channels[band.channel]);
-  Result<Image> image = read_exr(file, parts, layer.part, channels);
+  Result<Image> image = read_exr(source, parts, layer.part, channels, only);
   if (!image) return tl::unexpected<Problem>(image.error());
 
   SpectralImage result;

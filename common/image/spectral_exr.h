@@ -43,12 +43,13 @@ Result<void> write_spectral_exr(const SpectralImage& image, const Image& preview
                                 const std::filesystem::path& file,
                                 const std::map<std::string, std::string>& metadata);
 
-/// Reads it, sorted by wavelength: the file has its channels in the alphabet's order. `layer` is
-/// one of spectra that find_layers found. Errors name the file: those of read_exr, a hostile name
-/// (see parse_spectral_channel), a wavelength in two channels, emission and reflectance in one
-/// layer, only S1. to S3., more than Wavelengths::max_count wavelengths.
-Result<SpectralImage> read_spectral_layer(const std::filesystem::path& file,
-                                          const std::vector<ExrPart>& parts, const ExrLayer& layer);
+/// Reads it, or the pixels `only` of it, sorted by wavelength: the file has its channels in the
+/// alphabet's order. `layer` is one of spectra that find_layers found. Errors name the file: those
+/// of read_exr, a hostile name (see parse_spectral_channel), a wavelength in two channels, emission
+/// and reflectance in one layer, only S1. to S3., more than Wavelengths::max_count wavelengths.
+Result<SpectralImage> read_spectral_layer(const ExrSource& source,
+                                          const std::vector<ExrPart>& parts, const ExrLayer& layer,
+                                          const std::optional<PixelWindow>& only = {});
 
 /// The same of a file's only spectra; nothing where it has none.
 Result<std::optional<SpectralImage>> read_spectral_exr(const std::filesystem::path& file);

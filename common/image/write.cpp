@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <span>
 
 #include "common/color/eight_bit.h"
 #include "common/image/icc.h"
@@ -14,19 +16,27 @@ namespace {
 
 using Bytes = std::vector<unsigned char>;
 
+/// How many pixels have a value that is `lost`; in blocks, without a branch.
+template <class Lost>
+std::size_t count_pixels(std::span<const float> rgb, const Lost& lost) {
+  constexpr std::size_t block = 3 * 128;
+  std::array<unsigned char, block> is_lost;
+  std::size_t count = 0;
+  for (; !rgb.empty(); rgb = rgb.subspan(std::min(block, rgb.size()))) {
+    const std::size_t values = std::min(block, rgb.size());
+    for (std::size_t i = 0; i < values; ++i) is_lost[i] = lost(rgb[i]);
+    for (std::size_t i = 0; i < values; i += 3)
+      count += static_cast<std::size_t>(is_lost[i] | is_lost[i + 1] | is_lost[i + 2]);
+  }
+  return count;
+}
+
 /// Counts what clipping loses, beyond what rounding does, and fills in a row.
 void to_8_bit(const std::vector<float>& rgb, const EightBit& codes, unsigned char* bytes,
               GamutReport& gamut) {
-  for (std::size_t i = 0; i < rgb.size(); i += 3) {
-    bool negative = false, above = false;
-    for (std::size_t c = 0; c < 3; ++c) {
-      negative = negative || codes.is_below(rgb[i + c]);
-      above = above || codes.is_above(rgb[i + c]);
-      bytes[i + c] = codes(rgb[i + c]);
-    }
-    gamut.negative += negative ? 1 : 0;
-    gamut.above += above ? 1 : 0;
-  }
+  codes(rgb, bytes);
+  gamut.negative += count_pixels(rgb, [&](float value) { return codes.is_below(value); });
+  gamut.above += count_pixels(rgb, [&](float value) { return codes.is_above(value); });
 }
 
 /// The same by 16 bits, which are asked for rarely: a power for each value.

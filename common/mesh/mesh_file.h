@@ -27,6 +27,9 @@ struct MeshFile {
   std::vector<Float3> normals;
   /// Without normals: the angle of MeshUse::crease_angle where the use names none.
   std::optional<double> crease_angle;
+  /// Without normals: of each triangle the group within which normals are averaged, 0: flat; empty:
+  /// the file has no such groups. A crease angle that a use names goes before them.
+  std::vector<std::uint32_t> smoothing;
   std::vector<Float2> uvs;  ///< One for each position, NaN: none there; or empty.
   std::vector<Triangle> triangles;
   std::vector<MeshPiece> pieces;    ///< In the triangles' order; all triangles are in one.

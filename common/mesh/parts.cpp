@@ -50,22 +50,28 @@ tl::unexpected<Problem> no_part(const Pieces& pieces, const std::string& part) {
     list += (i > 0 ? ", " : "") + quoted(names[i]);
   if (names.size() > most_listed)
     list += " and " + std::to_string(names.size() - most_listed) + " more";
-  return problem("has no part " + quoted(part) + " (it has " + list + ")" +
-                 did_you_mean(part, names));
+  return tl::unexpected(
+      unknown_name("has no part " + quoted(part) + " (it has " + list + ")", part, names));
 }
 
 void keep_pieces(MeshFile& file, Pieces pieces) {
   // Move the triangles together.
   std::uint64_t count = 0;
   for (MeshPiece& piece : pieces) {
-    const auto first = file.triangles.begin() + static_cast<std::ptrdiff_t>(piece.first_triangle);
-    std::copy(first, first + static_cast<std::ptrdiff_t>(piece.triangles),
-              file.triangles.begin() + static_cast<std::ptrdiff_t>(count));
+    const auto move = [&](auto& of_triangles) {
+      if (of_triangles.empty()) return;
+      const auto first = of_triangles.begin() + static_cast<std::ptrdiff_t>(piece.first_triangle);
+      std::copy(first, first + static_cast<std::ptrdiff_t>(piece.triangles),
+                of_triangles.begin() + static_cast<std::ptrdiff_t>(count));
+    };
+    move(file.triangles);
+    move(file.smoothing);
     piece.first_triangle = count;
     count += piece.triangles;
   }
   file.triangles.resize(count);
   file.triangles.shrink_to_fit();
+  if (!file.smoothing.empty()) file.smoothing.resize(count);
   file.pieces = std::move(pieces);
   keep_used_vertices(file);
 }

@@ -12,7 +12,8 @@ void smooth_normals(MeshFile& mesh);
 
 /// The same for a mesh without normals, but two triangles smooth the edge that they share only
 /// where their normals are at most `degrees` apart; at other edges vertices are split. An edge of
-/// more than eight triangles is sharp.
+/// more than eight triangles is sharp. So is one between two groups, or in group 0, of
+/// MeshFile::smoothing, if there are any.
 void creased_normals(MeshFile& mesh, double degrees);
 
 /// Tangents towards rising u at each vertex, unit and at right angles to its normal: the average

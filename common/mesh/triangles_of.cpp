@@ -31,7 +31,9 @@ Result<TriangleMesh> triangles_of(MeshFile file, const MeshUse& use) {
     return tl::unexpected(selected.error());
   }
   join_repeated_vertices(file);
-  const auto crease_angle = use.crease_angle ? use.crease_angle : file.crease_angle;
+  auto crease_angle = use.crease_angle ? use.crease_angle : file.crease_angle;
+  if (use.crease_angle) file.smoothing.clear();
+  if (!file.smoothing.empty() && !crease_angle) crease_angle = 180;  // The groups alone count.
   if (file.normals.empty() && crease_angle)
     creased_normals(file, *crease_angle);
   else

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "common/image/pixel_spectrum.h"
 #include "common/mesh/gltf/buffers.h"
 #include "common/scene/files.h"
 #include "common/scene/findings.h"
@@ -24,13 +25,14 @@ class Collector {
   Collector(std::filesystem::path folder, const DigestOf& digest_of, const Elsewhere& elsewhere)
       : folder_(std::move(folder)), digest_of_(digest_of), elsewhere_(elsewhere) {}
 
-  void add_observer(const v1::Settings& settings) {
-    add(settings.observer_file(), "settings.observer_file", max_spectrum_file);
+  void add_observer(const std::string& file, const std::string& field) {
+    add(file, field, max_spectrum_file);
   }
 
   void add_spectrum(const v1::Spectrum& spectrum, const std::string& field) {
     if (spectrum.source_case() != v1::Spectrum::kFile) return;
-    add(spectrum.file(), field + ".file", max_spectrum_file);
+    add(spectrum.file(), field + ".file",
+        is_picture_of_spectra(spectrum.file()) ? max_spectral_picture : max_spectrum_file);
   }
 
   void add_mesh(const v1::Mesh& mesh, const std::string& field) {
@@ -64,7 +66,10 @@ class Collector {
     if (!is_new && elsewhere_.empty()) return nullptr;
     const auto path = find(name, field, limit);
     if (!path) {
-      findings_.add(field, prefix + path.error().message);
+      Problem wrong = path.error();
+      wrong.message = prefix + wrong.message;
+      if (!prefix.empty()) wrong.was = wrong.meant = {};  // it does not stand in the scene
+      findings_.add(field, std::move(wrong));
       return nullptr;
     }
     if (!is_new) {
@@ -110,7 +115,9 @@ tl::expected<std::vector<Asset>, std::vector<Problem>> collect_assets(
   Collector collector(folder.empty() ? std::filesystem::path(".") : folder, digest_of, elsewhere);
   for_each_spectrum(scene, [&](const v1::Spectrum& spectrum, const std::string& field,
                                SpectrumRole) { collector.add_spectrum(spectrum, field); });
-  collector.add_observer(scene.settings());
+  for_each_observer_file(scene, [&](const std::string& file, const std::string& field) {
+    collector.add_observer(file, field);
+  });
   for (int i = 0; i < scene.object_size(); ++i) {
     if (!scene.object(i).has_mesh()) continue;
     collector.add_mesh(scene.object(i).mesh(),

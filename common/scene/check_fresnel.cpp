@@ -16,8 +16,9 @@ void check_name(const std::string& name, const List& known, const std::string& w
   std::vector<std::string> names;
   for (const auto& one : known) names.emplace_back(one.name);
   if (std::find(names.begin(), names.end(), name) != names.end()) return;
-  findings.add(field, quoted(name) + " is not a " + what + " of the library (" + join(names) + ")" +
-                          did_you_mean(name, names));
+  findings.add(field, unknown_name(quoted(name) + " is not a " + what + " of the library (" +
+                                       join(names) + ")",
+                                   name, names));
 }
 
 void check_sellmeier(const v1::Sellmeier& sellmeier, const std::string& field, Findings& findings) {

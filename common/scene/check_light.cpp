@@ -1,5 +1,6 @@
 #include <google/protobuf/descriptor.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "common/scene/check_spectrum.h"
@@ -39,16 +40,27 @@ void check_parameters(const ChosenLight& light, const std::string& field, Findin
       case Kind::number:
         const double value = light.number(one);
         if (value >= one.min && value <= one.max) break;
-        findings.add(place, std::string(one.name) + " must lie in " + number_text(one.min) + ".." +
-                                number_text(one.max) + " (it is " + number_text(value) +
-                                "); the nearest allowed value is " +
-                                number_text(value < one.min ? one.min : one.max));
+        const double nearest = std::clamp<double>(value, one.min, one.max);
+        findings.add(place,
+                     std::string(one.name) + " must lie in " + number_text(one.min) + ".." +
+                         number_text(one.max) + " (it is " + number_text(value) +
+                         "); the nearest allowed value is " + number_text(nearest),
+                     value, nearest);
         break;
     }
   }
 }
 
 }  // namespace
+
+void check_luminance(double luminance, const std::string& field, Findings& findings) {
+  if (luminance < 0) {
+    findings.add(field, "luminance must not be negative (it is " + number_text(luminance) + ")",
+                 luminance, 0);
+  } else if (luminance != 0) {
+    check_range(luminance, limits::min_luminance, limits::max_luminance, field, findings);
+  }
+}
 
 void check_light(const v1::Light& light, const std::string& field, Findings& findings) {
   if (!check_values(light, field, findings)) return;
@@ -65,19 +77,16 @@ void check_light(const v1::Light& light, const std::string& field, Findings& fin
   } else {
     findings.add(field, "light needs a spectrum");
   }
-  if (light.luminance() < 0) {
-    findings.add(field + ".luminance",
-                 "luminance must not be negative (it is " + number_text(light.luminance()) + ")");
-  } else if (light.luminance() != 0) {
-    check_range(light.luminance(), limits::min_luminance, limits::max_luminance,
-                field + ".luminance", findings);
-  }
+  check_luminance(light.luminance(), field + ".luminance", findings);
 
   if (light.has_solid_angle()) {
     constexpr double sphere = 4 * std::numbers::pi;
-    if (!(light.solid_angle() > 0 && light.solid_angle() <= sphere)) {
-      findings.add(field + ".solid_angle", "solid_angle must be above 0 and at most 4π (it is " +
-                                               number_text(light.solid_angle()) + ")");
+    const std::string message = "solid_angle must be above 0 and at most 4π (it is " +
+                                number_text(light.solid_angle()) + ")";
+    if (!(light.solid_angle() > 0)) {
+      findings.add(field + ".solid_angle", message);
+    } else if (light.solid_angle() > sphere) {
+      findings.add(field + ".solid_angle", message, light.solid_angle(), sphere);
     }
   }
 

@@ -21,7 +21,8 @@ void check_mesh(const v1::Mesh& mesh, const std::string& field, Findings& findin
   }
   if (const double angle = mesh.crease_angle(); !(angle >= 0 && angle <= 180)) {
     findings.add(field + ".crease_angle",
-                 "crease_angle must be 0 to 180 degrees (it is " + number_text(angle) + ")");
+                 "crease_angle must be 0 to 180 degrees (it is " + number_text(angle) + ")", angle,
+                 std::clamp(angle, 0.0, 180.0));
   }
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "common/scene/parts.h"
@@ -14,11 +15,12 @@ void check_parameters(const ChosenPart& part, const std::string& field, Findings
   for (const models::Parameter& one : part.entry->parameters) {
     const double value = parameter(*part.own, one);
     if (value >= one.min && value <= one.max) continue;
+    const double nearest = std::clamp<double>(value, one.min, one.max);
     findings.add(field + "." + part.entry->name + "." + one.name,
                  std::string(one.name) + " must lie in " + number_text(one.min) + ".." +
                      number_text(one.max) + " (it is " + number_text(value) +
-                     "); the nearest allowed value is " +
-                     number_text(value < one.min ? one.min : one.max));
+                     "); the nearest allowed value is " + number_text(nearest),
+                 value, nearest);
   }
 }
 

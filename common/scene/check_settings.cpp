@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "common/scene/check_method.h"
 #include "common/scene/development.h"
 #include "common/scene/limits.h"
@@ -32,13 +34,6 @@ void check_goals(const v1::Settings& settings, const v1::Settings& full, const s
   check_goal(full.goal(), field + "." + name, findings);
 }
 
-/// Its other values are those of enums, which check_values knows.
-void check_development(const v1::Development& development, const std::string& field,
-                       Findings& findings) {
-  const Result<RgbSpace> space = to_rgb_space(development);
-  if (!space) findings.add(field + "." + space.error().field, space.error().message);
-}
-
 void check_observer(const v1::Settings& settings, const std::string& field, Findings& findings) {
   if (!settings.observer_file().empty() && settings.observer() != v1::CIE_1931_2DEG)
     findings.add(field + ".observer_file",
@@ -46,6 +41,13 @@ void check_observer(const v1::Settings& settings, const std::string& field, Find
 }
 
 }  // namespace
+
+// Its other values are those of enums, which check_values knows.
+void check_development(const v1::Development& development, const std::string& field,
+                       Findings& findings) {
+  const Result<RgbSpace> space = to_rgb_space(development);
+  if (!space) findings.add(field + "." + space.error().field, space.error().message);
+}
 
 void check_settings(const v1::Settings& settings, const std::string& field, Findings& findings) {
   if (!check_values(settings, field, findings)) return;
@@ -61,9 +63,11 @@ void check_settings(const v1::Settings& settings, const std::string& field, Find
   check_range(full.depth(), 0, limits::max_depth, field + ".depth", findings);
   check_range(full.threads(), 0, limits::max_threads, field + ".threads", findings);
   if (full.tile_size() % 8 != 0 || full.tile_size() < 8 || full.tile_size() > limits::max_tile) {
-    findings.add(field + ".tile_size", "tile_size must be a multiple of 8 in 8.." +
-                                           std::to_string(limits::max_tile) + " (it is " +
-                                           std::to_string(full.tile_size()) + ")");
+    const std::uint32_t within = std::clamp<std::uint32_t>(full.tile_size(), 8, limits::max_tile);
+    findings.add(field + ".tile_size",
+                 "tile_size must be a multiple of 8 in 8.." + std::to_string(limits::max_tile) +
+                     " (it is " + std::to_string(full.tile_size()) + ")",
+                 full.tile_size(), (within + 4) / 8 * 8);
   }
 }
 

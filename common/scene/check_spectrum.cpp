@@ -6,10 +6,16 @@
 #include "common/scene/check_wavelengths.h"
 #include "common/scene/interpolated.h"
 #include "common/scene/limits.h"
+#include "common/spectral/value_bounds.h"
 
 namespace metamer {
 
 namespace {
+
+double nearest_allowed(double value, SpectrumRole role) {
+  const ValueRange range = value_range(role);
+  return std::clamp(value, range.low, range.high);
+}
 
 void check_samples(const v1::Samples& samples, const std::string& field, SpectrumRole role,
                    Findings& findings) {
@@ -29,12 +35,17 @@ void check_samples(const v1::Samples& samples, const std::string& field, Spectru
     if (wrong.empty()) continue;
     findings.add(indexed(field + ".value", static_cast<std::size_t>(i)),
                  wrong + " (it is " + number_text(samples.value(i)) + " at " +
-                     number_text(samples.wavelength(i)) + " nm)");
+                     number_text(samples.wavelength(i)) + " nm)",
+                 samples.value(i), nearest_allowed(samples.value(i), role));
   }
   if (findings.size() == before && role == SpectrumRole::emission &&
       is_dark({samples.value().begin(), samples.value().end()})) {
     findings.add(field + ".value", "an emission must not be 0 at every wavelength");
   }
+  if (findings.size() > before) return;
+  if (const auto sound = make_spectrum(nm, {samples.value().begin(), samples.value().end()});
+      !sound)
+    findings.add(field + ".value", sound.error().message);
 }
 
 void check_lines(const v1::Spectrum& spectrum, const std::string& field, SpectrumRole role,
@@ -53,6 +64,8 @@ void check_lines(const v1::Spectrum& spectrum, const std::string& field, Spectru
     if (!(line.power() > 0)) {
       findings.add(place + ".power",
                    "power must be above 0 (it is " + number_text(line.power()) + ")");
+    } else {
+      check_range(line.power(), least_peak, most_value, place + ".power", findings);
     }
   }
 }
@@ -123,7 +136,7 @@ void check_spectrum(const v1::Spectrum& spectrum, const std::string& field, Spec
       if (role != SpectrumRole::emission) {
         findings.add(field + ".standard", "a standard illuminant is an emission, not a property");
       } else if (const auto light = illuminant_named(spectrum.standard()); !light) {
-        findings.add(field + ".standard", light.error().message);
+        findings.add(field + ".standard", light.error());
       }
       break;
     case v1::Spectrum::kFile:
@@ -132,10 +145,17 @@ void check_spectrum(const v1::Spectrum& spectrum, const std::string& field, Spec
     case v1::Spectrum::kConstant: {
       const std::string wrong = value_fault(spectrum.constant(), role);
       if (!wrong.empty()) {
-        findings.add(field + ".constant",
-                     wrong + " (it is " + number_text(spectrum.constant()) + ")");
+        const std::string message = wrong + " (it is " + number_text(spectrum.constant()) + ")";
+        if (role == SpectrumRole::emission) {  // 0, the nearest, would be wrong, too
+          findings.add(field + ".constant", message);
+        } else {
+          findings.add(field + ".constant", message, spectrum.constant(),
+                       nearest_allowed(spectrum.constant(), role));
+        }
       } else if (role == SpectrumRole::emission && spectrum.constant() == 0) {
         findings.add(field + ".constant", "an emission must not be 0 at every wavelength");
+      } else if (role == SpectrumRole::emission) {
+        check_range(spectrum.constant(), least_peak, most_value, field + ".constant", findings);
       }
       break;
     }

@@ -1,5 +1,7 @@
 #include "common/scene/check_wavelengths.h"
 
+#include <algorithm>
+
 #include "common/scene/limits.h"
 #include "common/spectral/wavelengths.h"
 
@@ -17,9 +19,11 @@ bool check_wavelengths(const std::vector<double>& nm, const std::string& field,
   for (std::size_t i = 0; i < nm.size(); ++i) {
     const std::string here = indexed(field, i);
     if (!(nm[i] >= limits::min_wavelength && nm[i] <= limits::max_wavelength)) {
-      findings.add(here, "wavelengths must lie in " + number_text(limits::min_wavelength) + ".." +
-                             number_text(limits::max_wavelength) + " nm (it is " +
-                             number_text(nm[i]) + ")");
+      findings.add(here,
+                   "wavelengths must lie in " + number_text(limits::min_wavelength) + ".." +
+                       number_text(limits::max_wavelength) + " nm (it is " + number_text(nm[i]) +
+                       ")",
+                   nm[i], std::clamp(nm[i], limits::min_wavelength, limits::max_wavelength));
     } else if (i > 0 && nm[i] == nm[i - 1]) {
       findings.add(here, "wavelengths must not repeat (" + number_text(nm[i]) + " is there twice)");
     } else if (i > 0 && nm[i] < nm[i - 1]) {

@@ -109,8 +109,10 @@ Result<fs::path> find_in_folder(const std::string& name, const fs::path& folder,
   if (error) return problem("the scene's folder can't be read: " + error.message());
   const fs::path path = fs::canonical(base / relative, error);
   if (error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory) {
-    return problem(file + "does not exist" +
-                   (guess ? did_you_mean(name, neighbours(name, base)) : std::string()));
+    const auto known = guess ? neighbours(name, base) : std::vector<std::string>();
+    Problem missing = unknown_name(file + "does not exist", name, known);
+    missing.was = name;
+    return tl::unexpected(std::move(missing));
   }
   if (error) return problem(file + "can't be read: " + error.message());
   if (path == base) return problem(file + "is a folder");

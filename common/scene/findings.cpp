@@ -1,5 +1,7 @@
 #include "common/scene/findings.h"
 
+#include <algorithm>
+
 namespace metamer {
 
 namespace {
@@ -33,6 +35,19 @@ void Findings::add(std::string field, std::string message) {
   problems_.push_back({.field = std::move(field), .file = {}, .message = std::move(message)});
 }
 
+void Findings::add(std::string field, Problem problem) {
+  problem.field = std::move(field);
+  add(std::move(problem));
+}
+
+void Findings::add(std::string field, std::string message, double value, double nearest) {
+  add({.field = std::move(field),
+       .file = {},
+       .message = std::move(message),
+       .was = number_text(value),
+       .meant = number_text(nearest)});
+}
+
 std::string indexed(std::string_view field, std::size_t index) {
   return std::string(field) + "[" + std::to_string(index) + "]";
 }
@@ -41,8 +56,10 @@ void check_range(double value, double low, double high, const std::string& field
                  Findings& findings) {
   if (value >= low && value <= high) return;
   const std::string name = field.substr(field.rfind('.') + 1);
-  findings.add(field, name + " must lie in " + number_text(low) + ".." + number_text(high) +
-                          " (it is " + number_text(value) + ")");
+  findings.add(field,
+               name + " must lie in " + number_text(low) + ".." + number_text(high) + " (it is " +
+                   number_text(value) + ")",
+               value, std::clamp(value, low, high));
 }
 
 bool is_utf8(std::string_view text) {

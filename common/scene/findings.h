@@ -17,6 +17,9 @@ class Findings {
  public:
   void add(std::string field, std::string message);
   void add(Problem problem) { problems_.push_back(std::move(problem)); }
+  void add(std::string field, Problem problem);
+  /// A number that `nearest` can take the place of.
+  void add(std::string field, std::string message, double value, double nearest);
 
   std::size_t size() const { return problems_.size(); }
   std::vector<Problem> take() { return std::move(problems_); }

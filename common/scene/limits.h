@@ -20,6 +20,7 @@ inline constexpr double min_luminance = 1e-30;   ///< Products with it are still
 inline constexpr double max_luminance = 1e30;    ///< and these finite.
 inline constexpr std::size_t max_materials = 4096;  ///< × 2 spectra × 4,001 × 4 B = 131 MB.
 inline constexpr std::size_t max_objects = 100'000;
+inline constexpr std::size_t max_looks = 1000;        ///< People choose one from a list.
 inline constexpr std::size_t max_name = 200;          ///< Characters; they are for people.
 inline constexpr std::size_t max_text = 4096;         ///< Bytes; Linux's longest path.
 inline constexpr std::size_t max_transforms = 64;     ///< Steps of one object's placement.

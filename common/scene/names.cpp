@@ -14,6 +14,29 @@ bool has_extension(std::string_view name, std::string_view extension) {
   return true;
 }
 
+namespace {
+
+using SpectrumVisit =
+    std::function<void(const v1::Spectrum&, const std::string& field, SpectrumRole)>;
+
+void for_each_spectrum(const v1::Look& look, const std::string& field, const SpectrumVisit& visit) {
+  for (int i = 0; i < look.light_size(); ++i)
+    if (look.light(i).has_spectrum())
+      visit(look.light(i).spectrum(),
+            indexed(field + ".light", static_cast<std::size_t>(i)) + ".spectrum",
+            SpectrumRole::emission);
+  for (int i = 0; i < look.material_size(); ++i) {
+    const v1::LookMaterial& material = look.material(i);
+    const std::string place = indexed(field + ".material", static_cast<std::size_t>(i));
+    if (material.has_diffuse())
+      visit(material.diffuse(), place + ".diffuse", SpectrumRole::property);
+    if (material.has_specular())
+      visit(material.specular(), place + ".specular", SpectrumRole::property);
+  }
+}
+
+}  // namespace
+
 void for_each_spectrum(
     const v1::Scene& scene,
     const std::function<void(const v1::Spectrum&, const std::string&, SpectrumRole)>& visit) {
@@ -40,6 +63,19 @@ void for_each_spectrum(
     if (conductor.has_n()) visit(conductor.n(), below + "conductor.n", SpectrumRole::index);
     if (conductor.has_k()) visit(conductor.k(), below + "conductor.k", SpectrumRole::extinction);
   }
+  for (int i = 0; i < scene.look_size(); ++i)
+    for_each_spectrum(scene.look(i), indexed("look", static_cast<std::size_t>(i)), visit);
+}
+
+void for_each_observer_file(
+    const v1::Scene& scene,
+    const std::function<void(const std::string& file, const std::string& field)>& visit) {
+  if (!scene.settings().observer_file().empty())
+    visit(scene.settings().observer_file(), "settings.observer_file");
+  for (int i = 0; i < scene.look_size(); ++i)
+    if (!scene.look(i).observer_file().empty())
+      visit(scene.look(i).observer_file(),
+            indexed("look", static_cast<std::size_t>(i)) + ".observer_file");
 }
 
 }  // namespace metamer

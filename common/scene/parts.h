@@ -10,12 +10,15 @@
 namespace metamer {
 
 void check_camera(const v1::Camera& camera, const std::string& field, Findings& findings);
+void check_luminance(double luminance, const std::string& field, Findings& findings);
 void check_light(const v1::Light& light, const std::string& field, Findings& findings);
 void check_material(const v1::Material& material, const std::string& field, Findings& findings);
 void check_reflection(const v1::Material& material, const std::string& field, Findings& findings);
 void check_fresnel(const v1::Fresnel& fresnel, const std::string& field, Findings& findings);
 void check_object(const v1::Object& object, const std::string& field, Findings& findings);
 void check_transforms(const v1::Object& object, const std::string& field, Findings& findings);
+void check_development(const v1::Development& development, const std::string& field,
+                       Findings& findings);
 void check_settings(const v1::Settings& settings, const std::string& field, Findings& findings);
 
 }  // namespace metamer

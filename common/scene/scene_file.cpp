@@ -61,6 +61,16 @@ std::optional<Step> take_step(std::string_view& path) {
   return step;
 }
 
+/// Whether two texts are of the same number.
+bool is_number(std::string_view one, std::string_view other) {
+  double values[2] = {};
+  std::size_t i = 0;
+  for (const std::string_view text : {one, other})
+    if (std::from_chars(text.data(), text.data() + text.size(), values[i++]).ec != std::errc())
+      return false;
+  return values[0] == values[1];
+}
+
 std::optional<TextPosition> position_of(const Tree& tree, const FieldDescriptor& field, int index) {
   const auto location = tree.GetLocation(&field, index);
   if (location.line < 0) return std::nullopt;
@@ -159,7 +169,9 @@ Result<SceneFile> SceneFile::parse(std::string text, std::string file) {
                                   .file = state->file,
                                   .line = error.position.line + 1,
                                   .column = state->lines.column(state->text, error.position),
-                                  .message = error.message});
+                                  .message = error.message,
+                                  .was = error.was,
+                                  .meant = error.meant});
   }
   state->lists = find_lists(state->text);
   return SceneFile(std::move(state));
@@ -182,6 +194,10 @@ Problem SceneFile::locate(Problem problem) const {
   if (const auto position = state_->locate(problem.field)) {
     problem.line = position->line + 1;
     problem.column = state_->lines.column(state_->text, *position);
+    // A number as it is written there: 1e3, not 1000.
+    const std::string_view written = number_at(state_->text, state_->lines.begin(*position),
+                                               static_cast<std::size_t>(problem.column));
+    if (!written.empty() && is_number(problem.was, written)) problem.was = written;
   }
   return problem;
 }

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "common/color/illuminants.h"
+#include "common/image/pixel_spectrum.h"
 #include "common/scene/check_spectrum.h"
 #include "common/scene/findings.h"
 #include "common/scene/interpolated.h"
@@ -21,9 +23,18 @@ namespace {
 
 using File = Result<SpectrumFile>;
 
+/// What of a message decides what its file holds: of a picture also the pixel.
+using FileKey = std::tuple<std::string, int, std::string>;
+FileKey file_key(const v1::Spectrum& message) {
+  return {message.file(), message.reading().unit(),
+          is_picture_of_spectra(message.file()) ? message.entry() : std::string()};
+}
+
 File read_file_of(const v1::Spectrum& message, const AssetReader& assets) {
   const auto bytes = assets(message.file());
   if (!bytes) return tl::unexpected(bytes.error());
+  if (is_picture_of_spectra(message.file()))
+    return read_pixel_spectrum({*bytes, message.file()}, message.entry());
   return read_spectrum_file(*bytes, message.file(), reading_of(message.reading()).unit);
 }
 
@@ -84,6 +95,9 @@ Result<NotedSpectrum> choose(const File& file, const v1::Spectrum& message,
   auto curve = between_samples(check_role(std::move(read->spectrum), message, field, role), message,
                                field, role);
   if (!curve) return tl::unexpected(std::move(curve.error()));
+  if (role == SpectrumRole::emission && curve->nm.size() == 1)
+    read->notes.push_back("a line, as it has a single sample, at " +
+                          number_text(curve->nm.front()) + " nm");
   for (std::string& note : read->notes) note = which_of(message) + ": " + note;
   return NotedSpectrum{*std::move(curve), std::move(read->notes)};
 }
@@ -137,37 +151,46 @@ Result<Spectrum> load_spectrum(const v1::Spectrum& message, const std::string& f
   });
 }
 
-Result<Observer> load_observer(const v1::Settings& settings, const std::string& field,
-                               const AssetReader& assets) {
-  const std::string& file = settings.observer_file();
-  if (file.empty()) return to_observer(settings.observer());
+namespace {
+
+Result<Observer> observer_of_file(const std::string& file, const std::string& field,
+                                  const AssetReader& assets) {
   auto observer =
       assets(file).and_then([&](const std::string& bytes) { return parse_observer(bytes, file); });
-  if (!observer) return at(field + ".observer_file", std::move(observer.error()));
+  if (!observer) return at(field, std::move(observer.error()));
   return observer;
+}
+
+}  // namespace
+
+Result<Observer> load_observer(const v1::Settings& settings, const std::string& field,
+                               const AssetReader& assets) {
+  if (settings.observer_file().empty()) return to_observer(settings.observer());
+  return observer_of_file(settings.observer_file(), field + ".observer_file", assets);
 }
 
 std::vector<Problem> validate_spectra(const v1::Scene& scene, const AssetReader& assets) {
   // A file is read once in each unit, however many entries are used, and that it can't be read is
   // reported once.
-  std::map<std::pair<std::string, int>, File> read;
+  std::map<FileKey, File> read;
   Findings findings;
-  for_each_spectrum(
-      scene, [&](const v1::Spectrum& message, const std::string& field, SpectrumRole role) {
-        Result<NotedSpectrum> spectrum = problem("");
-        if (message.source_case() == v1::Spectrum::kFile) {
-          auto [file, is_new] =
-              read.try_emplace({message.file(), message.reading().unit()}, problem(""));
-          if (is_new) file->second = read_file_of(message, assets);
-          if (!is_new && !file->second) return;
-          spectrum = choose(file->second, message, field, role);
-        } else {
-          spectrum = load_noted_spectrum(message, field, role, assets);
-        }
-        if (!spectrum) findings.add(std::move(spectrum.error()));
-      });
-  if (auto observer = load_observer(scene.settings(), "settings", assets); !observer)
-    findings.add(std::move(observer.error()));
+  for_each_spectrum(scene,
+                    [&](const v1::Spectrum& message, const std::string& field, SpectrumRole role) {
+                      Result<NotedSpectrum> spectrum = problem("");
+                      if (message.source_case() == v1::Spectrum::kFile) {
+                        auto [file, is_new] = read.try_emplace(file_key(message), problem(""));
+                        if (is_new) file->second = read_file_of(message, assets);
+                        if (!is_new && !file->second) return;
+                        spectrum = choose(file->second, message, field, role);
+                      } else {
+                        spectrum = load_noted_spectrum(message, field, role, assets);
+                      }
+                      if (!spectrum) findings.add(std::move(spectrum.error()));
+                    });
+  for_each_observer_file(scene, [&](const std::string& file, const std::string& field) {
+    if (auto observer = observer_of_file(file, field, assets); !observer)
+      findings.add(std::move(observer.error()));
+  });
   return findings.take();
 }
 

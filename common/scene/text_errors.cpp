@@ -38,24 +38,25 @@ std::string found(const std::string& token) {
   return ", found " + (token.empty() ? "the end of the file" : quoted(token));
 }
 
-std::string no_such_field(const std::string& full_name, const std::string& name,
-                          const Descriptor& root) {
+Problem no_such_field(const std::string& full_name, const std::string& name,
+                      const Descriptor& root) {
   const Descriptor* type = root.file()->pool()->FindMessageTypeByName(full_name);
-  if (type == nullptr) return quoted(full_name) + " has no field " + quoted(name);
+  if (type == nullptr)
+    return unknown_name(quoted(full_name) + " has no field " + quoted(name), name, {});
   const std::vector<std::string> known = field_names(*type);
-  const std::string guess = did_you_mean(name, known);
-  const std::string error = type->name() + " has no field " + quoted(name);
-  if (!guess.empty()) return error + guess;
-  return error + (known.empty() ? "; it has none" : "; its fields: " + join(known));
+  Problem unknown = unknown_name(type->name() + " has no field " + quoted(name), name, known);
+  if (unknown.meant.empty())
+    unknown.message += known.empty() ? "; it has none" : "; its fields: " + join(known);
+  return unknown;
 }
 
-std::string no_such_value(const std::string& field, const std::string& value,
-                          const Descriptor& root) {
+Problem no_such_value(const std::string& field, const std::string& value, const Descriptor& root) {
   const auto* type = find_enum(root, field);
   const std::vector<std::string> known =
       type == nullptr ? std::vector<std::string>() : value_names(*type);
-  return field + " has no value " + quoted(value) + " (its values: " + join(known) + ")" +
-         did_you_mean(value, known);
+  return unknown_name(
+      field + " has no value " + quoted(value) + " (its values: " + join(known) + ")", value,
+      known);
 }
 
 /// What is left: protobuf's sentence in the form of our own.
@@ -75,11 +76,17 @@ TextError reword(std::string_view message, TextPosition position, std::string_vi
   const auto at_name = [&](const std::string& name, std::string reworded) {
     return TextError{last_identifier(text, name, position).value_or(position), std::move(reworded)};
   };
+  const auto unknown_at = [&](const std::string& name, Problem unknown) {
+    TextError error = at_name(name, std::move(unknown.message));
+    error.was = std::move(unknown.was);
+    error.meant = std::move(unknown.meant);
+    return error;
+  };
   if (const auto m = match(message, "Message type \"*\" has no field named \"*\".")) {
-    return at_name(m->at(1), no_such_field(m->at(0), m->at(1), root));
+    return unknown_at(m->at(1), no_such_field(m->at(0), m->at(1), root));
   }
   if (const auto m = match(message, "Unknown enumeration value of \"*\" for field \"*\".")) {
-    return at_name(m->at(0), no_such_value(m->at(1), m->at(0), root));
+    return unknown_at(m->at(0), no_such_value(m->at(1), m->at(0), root));
   }
   if (const auto m = match(message, "Non-repeated field \"*\" is specified multiple times.")) {
     return at_name(m->at(0), m->at(0) + " is given twice");

@@ -13,6 +13,7 @@ namespace metamer {
 struct TextError {
   TextPosition position;
   std::string message;
+  std::string was{}, meant{};  ///< As a Problem's.
 };
 
 /// `message` at `position` as the parser gave them, `root` the message that `text` was read as.

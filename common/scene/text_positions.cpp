@@ -35,6 +35,25 @@ std::optional<TextPosition> last_identifier(std::string_view text, std::string_v
   return found;
 }
 
+std::string_view number_at(std::string_view text, std::size_t begin, std::size_t column) {
+  constexpr std::string_view blank = " \t\r\n";
+  constexpr std::string_view name =
+      "_0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  constexpr std::string_view number = "+-.0123456789eE";
+  const auto skip = [&](std::string_view characters) {
+    text.remove_prefix(std::min(text.find_first_not_of(characters), text.size()));
+  };
+  text.remove_prefix(std::min(begin + column - 1, text.size()));
+  if (!text.empty() && number.substr(0, 13).find(text[0]) == std::string_view::npos) {
+    skip(name);
+    skip(blank);
+    if (!text.starts_with(':')) return {};
+    text.remove_prefix(1);
+    skip(blank);
+  }
+  return text.substr(0, std::min(text.find_first_not_of(number), text.size()));
+}
+
 TextLists find_lists(std::string_view text) {
   TextLists lists;
   struct Open {

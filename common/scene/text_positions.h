@@ -25,6 +25,10 @@ class TextLines {
 
   /// The column of `position` in `text`, the text that this was made from.
   int column(std::string_view text, TextPosition position) const;
+  /// Where its line begins: the byte's index.
+  std::size_t begin(TextPosition position) const {
+    return begins_[static_cast<std::size_t>(position.line)];
+  }
 
  private:
   std::vector<std::size_t> begins_;  ///< Where each line begins.
@@ -34,6 +38,10 @@ class TextLines {
 /// token after it.
 std::optional<TextPosition> last_identifier(std::string_view text, std::string_view name,
                                             TextPosition end);
+
+/// The number that stands at column `column`, from 1, of the line that begins at `begin`, or behind
+/// the name and the colon there, as it is written; empty: none does.
+std::string_view number_at(std::string_view text, std::size_t begin, std::size_t column);
 
 /// The lists `name: [a, b]` of a text. protobuf keeps only the position of the name.
 struct TextLists {

@@ -49,8 +49,8 @@ Result<NotedSpectrum> load_noted_spectrum(const v1::Spectrum& message, const std
 Result<Observer> load_observer(const v1::Settings& settings, const std::string& field,
                                const AssetReader& assets);
 
-/// Every spectrum of the scene and its observer loaded and checked, all problems found. For the
-/// client's early check.
+/// Every spectrum and observer of the scene, and of its looks, loaded and checked, all problems
+/// found. For the client's early check.
 std::vector<Problem> validate_spectra(const v1::Scene& scene, const AssetReader& assets);
 
 }  // namespace metamer

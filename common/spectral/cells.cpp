@@ -9,11 +9,15 @@ namespace metamer {
 
 std::vector<double> cell_edges(const std::vector<const Spectrum*>& spectra) {
   std::vector<double> edges = observer_wavelengths().nm();
-  for (const Spectrum* spectrum : spectra)
-    std::copy_if(spectrum->nm.begin(), spectrum->nm.end(), std::back_inserter(edges),
-                 [](double nm) { return nm > observer_from_nm && nm < observer_to_nm; });
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  std::vector<double> both;
+  for (const Spectrum* spectrum : spectra) {
+    const std::vector<double>& nm = spectrum->nm;
+    const auto first = std::upper_bound(nm.begin(), nm.end(), observer_from_nm);
+    both.clear();
+    std::set_union(edges.begin(), edges.end(), first,
+                   std::lower_bound(first, nm.end(), observer_to_nm), std::back_inserter(both));
+    edges.swap(both);
+  }
   if (edges.size() <= max_cells + 1) return edges;
 
   // Keep an edge only where it is far enough from the one kept before.

@@ -16,7 +16,8 @@ namespace metamer::cie {
 const Observer& observer_1931();
 const Observer& observer_1964();
 
-/// "A" "B" "C" "D50" "D55" "D65" "D93" "E" "F1" … "F12"; null when there is none of that name.
+/// "A" "B" "C" "D50" "D55" "D65" "D75" "D93" "E" "F1" … "F12"; null when there is none of that
+/// name.
 const Spectrum* illuminant(std::string_view name);
 const std::vector<std::string>& illuminant_names();
 

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "common/spectral/value_bounds.h"
+
 namespace metamer {
 
 Result<Spectrum> make_spectrum(std::vector<double> nm, std::vector<double> values) {
@@ -12,11 +14,19 @@ Result<Spectrum> make_spectrum(std::vector<double> nm, std::vector<double> value
                    " values");
   }
   if (auto wrong = wrong_positions(nm)) return problem(std::move(*wrong));
+  double peak = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values[i])) {
       return problem("the value at " + number_text(nm[i]) + " nm is not finite");
     }
+    peak = std::max(peak, std::abs(values[i]));
+    if (peak > most_value)
+      return problem("the value at " + number_text(nm[i]) + " nm, " + number_text(values[i]) +
+                     ", is too large: at most " + number_text(most_value) + " can be summed");
   }
+  if (peak > 0 && peak < least_peak)
+    return problem("the largest value, " + number_text(peak) + ", is too small: at least " +
+                   number_text(least_peak) + " can be summed");
   return Spectrum{.nm = std::move(nm), .values = std::move(values)};
 }
 
@@ -24,6 +34,7 @@ Resampled resample(const Spectrum& spectrum, const std::vector<double>& nm, Outs
   assert(!spectrum.nm.empty() && spectrum.nm.size() == spectrum.values.size());
   Resampled result;
   result.values.reserve(nm.size());
+  auto right = spectrum.nm.begin();  // goes on from where it was: most positions rise
   for (const double x : nm) {
     // Outside the data.
     if (x < spectrum.nm.front()) {
@@ -38,7 +49,9 @@ Resampled resample(const Spectrum& spectrum, const std::vector<double>& nm, Outs
     }
 
     // At a sample, its very value; between two, the straight line.
-    const auto right = std::lower_bound(spectrum.nm.begin(), spectrum.nm.end(), x);
+    if (right != spectrum.nm.begin() && right[-1] >= x)
+      right = std::lower_bound(spectrum.nm.begin(), right, x);
+    while (*right < x) ++right;
     const auto i = static_cast<std::size_t>(right - spectrum.nm.begin());
     if (*right == x) {
       result.values.push_back(spectrum.values[i]);

@@ -3,7 +3,7 @@
 #include <google/protobuf/io/coded_stream.h>
 #include <google/protobuf/wire_format_lite.h>
 
-#include <cassert>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -13,6 +13,7 @@ namespace metamer::wire {
 
 namespace {
 
+using boost::system::error_code;
 using google::protobuf::internal::WireFormatLite;
 using google::protobuf::io::CodedInputStream;
 using Kind = ChannelError::Kind;
@@ -107,14 +108,44 @@ bool is_bulk(Peer peer, std::string_view payload) {
   return false;
 }
 
-Channel::Channel(Socket socket, Peer peer)
-    : socket_(std::move(socket)), peer_(peer), decoder_(frame_limit(peer)) {}
+Channel::Channel(std::unique_ptr<Stream> stream, Peer peer)
+    : stream_(std::move(stream)),
+      peer_(peer),
+      decoder_(frame_limit(peer)),
+      stall_(stream_->executor()) {}
+
+void Channel::lift_frame_limit() { decoder_.set_limit(frame_limit(peer_)); }
+
+/// Takes what has come, at most a few tiles' rows at a time. All channels of a thread share the
+/// memory for it, as nothing waits while it is in use: a silent channel has none.
+error_code Channel::take() {
+  thread_local std::array<char, 64 << 10> piece;
+  const auto [error, size] = stream_->read(piece.data(), piece.size());
+  if (!error) decoder_.feed({piece.data(), size});
+  return error;
+}
+
+/// Lets others have their turn: a peer that sends, or reads, without a pause does not hold them up.
+asio::awaitable<void> Channel::give_way() {
+  co_await asio::post(stream_->executor(), asio::use_awaitable);
+}
+
+/// Takes what has come, or else waits until something has.
+asio::awaitable<error_code> Channel::receive() {
+  const error_code error = take();
+  if (error == asio::error::would_block) co_return co_await stream_->wait_to_read();
+  if (!error) co_await give_way();
+  co_return error;
+}
 
 asio::awaitable<tl::expected<void, ChannelError>> Channel::read(
     google::protobuf::MessageLite& message) {
   while (true) {
     auto payload = decoder_.next();
-    if (!payload) co_return failed(Kind::frame, describe(payload.error()));
+    if (!payload) {
+      co_return tl::unexpected(
+          ChannelError{Kind::frame, describe(payload.error()), payload.error() == FrameError::tls});
+    }
     if (*payload) {
       const std::string& bytes = **payload;
       if (bytes.size() > max_control_frame && !is_bulk(peer_, bytes)) {
@@ -128,14 +159,12 @@ asio::awaitable<tl::expected<void, ChannelError>> Channel::read(
       co_return tl::expected<void, ChannelError>();
     }
 
-    const auto [error, size] = co_await socket_.async_read_some(
-        asio::buffer(received_), asio::as_tuple(asio::use_awaitable));
+    const error_code error = co_await receive();
     if (error == asio::error::eof) {
       if (!decoder_.in_frame()) co_return failed(Kind::closed, "the peer closed the connection");
       co_return failed(Kind::truncated, "the peer closed the connection in mid-frame");
     }
     if (error) co_return failed(Kind::system, error.message());
-    decoder_.feed({received_.data(), size});
   }
 }
 
@@ -144,31 +173,49 @@ asio::awaitable<tl::expected<void, ChannelError>> Channel::write(
   co_return co_await write_frames(encode_frame(message.SerializeAsString()));
 }
 
+/// Waits for room; closes the stream when there is none in time.
+asio::awaitable<error_code> Channel::wait_to_write() {
+  if (!stall_limit_) co_return co_await stream_->wait_to_write();
+  stall_.expires_after(*stall_limit_);
+  const auto stalled = std::make_shared<bool>(false);
+  stall_.async_wait([stream = std::weak_ptr(stream_), stalled](error_code cancelled) {
+    const auto open = stream.lock();
+    if (cancelled || !open) return;
+    *stalled = true;
+    open->close();
+  });
+  const error_code error = co_await stream_->wait_to_write();
+  stall_.cancel();
+  stalled_ = *stalled;
+  co_return error;
+}
+
 asio::awaitable<tl::expected<void, ChannelError>> Channel::write_frames(std::string frames) {
-  const auto [error, size] = co_await asio::async_write(socket_, asio::buffer(frames),
-                                                        asio::as_tuple(asio::use_awaitable));
-  if (error) co_return failed(Kind::system, error.message());
-  assert(size == frames.size());
+  for (std::size_t sent = 0; sent < frames.size();) {
+    auto [error, size] = stream_->write(frames.data() + sent, frames.size() - sent);
+    sent += size;
+    if (error == asio::error::would_block) {
+      error = co_await wait_to_write();
+    } else if (!error) {
+      co_await give_way();
+    }
+    if (stalled_) co_return failed(Kind::stalled, "the peer took no byte for too long");
+    if (error) co_return failed(Kind::system, error.message());
+  }
   co_return tl::expected<void, ChannelError>();
 }
 
 asio::awaitable<void> Channel::drain() {
-  boost::system::error_code error;
-  socket_.shutdown(asio::socket_base::shutdown_send, error);
-  while (!error) {
-    std::tie(error, std::ignore) = co_await socket_.async_read_some(
-        asio::buffer(received_), asio::as_tuple(asio::use_awaitable));
+  stream_->shutdown_send();
+  while (true) {
+    const error_code error = co_await receive();
+    if (error) co_return;
+    decoder_ = FrameDecoder();
   }
 }
 
-void Channel::shutdown_receive() {
-  boost::system::error_code ignored;
-  socket_.shutdown(asio::socket_base::shutdown_receive, ignored);
-}
+void Channel::shutdown_receive() { stream_->shutdown_receive(); }
 
-void Channel::close() {
-  boost::system::error_code ignored;
-  socket_.close(ignored);
-}
+void Channel::close() { stream_->close(); }
 
 }  // namespace metamer::wire

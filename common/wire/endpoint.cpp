@@ -1,5 +1,8 @@
 #include "common/wire/endpoint.h"
 
+#include "common/wire/inherited.h"
+
+#include <grp.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
@@ -26,7 +29,8 @@ using boost::system::error_code;
 using GenericEndpoint = asio::generic::stream_protocol::endpoint;
 
 constexpr std::size_t max_unix_path = 107;  // sun_path is 108 bytes with its closing 0
-constexpr int backlog = 64;
+constexpr int backlog = 1024;
+constexpr int dead_peer_seconds = 30;
 /// A Unix socket whose listener has as many connections waiting as it holds is tried again after
 /// this time: the system has nothing to wait for there.
 constexpr std::chrono::milliseconds busy_retry{20};
@@ -81,15 +85,38 @@ Result<Addresses> resolve(const asio::any_io_executor& executor, const Endpoint&
   return found_addresses(endpoint, error, found);
 }
 
-/// Small messages travel at once; a peer that vanished is noticed some day.
+/// Small messages travel at once. A peer that takes none of what was sent, or of a silent one the
+/// question whether it is there, is given up after dead_peer_seconds (tcp(7)).
 void prepare_tcp(Socket& socket) {
   error_code error;
   const int family = socket.local_endpoint(error).data()->sa_family;
   if (error) return;
   if (family != AF_INET && family != AF_INET6) return;
-  const int on = 1;
-  ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-  ::setsockopt(socket.native_handle(), SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);
+  const auto set = [&](int level, int option, int value) {
+    ::setsockopt(socket.native_handle(), level, option, &value, sizeof value);
+  };
+  set(IPPROTO_TCP, TCP_NODELAY, 1);
+  set(SOL_SOCKET, SO_KEEPALIVE, 1);
+  set(IPPROTO_TCP, TCP_KEEPIDLE, dead_peer_seconds);
+  set(IPPROTO_TCP, TCP_KEEPINTVL, dead_peer_seconds / 3);
+  set(IPPROTO_TCP, TCP_USER_TIMEOUT, dead_peer_seconds * 1000);
+}
+
+/// Lets those connect to a Unix socket that `file` says.
+Result<void> let_in(const Endpoint& endpoint, const SocketFile& file) {
+  const auto failed = [&](const std::string& what) {
+    return problem("can't listen on " + to_string(endpoint) + ": " + what);
+  };
+  if (!file.group.empty()) {
+    errno = 0;
+    const group* known = ::getgrnam(file.group.c_str());
+    if (!known) return failed("there is no group \"" + file.group + "\"");
+    if (::chown(endpoint.path.c_str(), static_cast<uid_t>(-1), known->gr_gid) != 0)
+      return failed("can't give it to the group " + file.group + ": " + std::strerror(errno));
+  }
+  if (::chmod(endpoint.path.c_str(), file.mode) != 0)
+    return failed(std::string("can't set its mode: ") + std::strerror(errno));
+  return {};
 }
 
 /// Makes room for a Unix socket at `path`: nothing there, or one that nobody listens on.
@@ -117,8 +144,11 @@ Result<void> clear_path(const asio::any_io_executor& executor, const Endpoint& e
 }  // namespace
 
 Result<Endpoint> parse_endpoint(std::string_view text) {
-  constexpr std::string_view expected = "expected unix:PATH, HOST:PORT or PORT";
+  constexpr std::string_view expected = "expected unix:PATH, HOST:PORT, PORT or tls:HOST:PORT";
   if (text.starts_with("unix:")) return parse_unix(text, text.substr(5));
+  const bool tls = text.starts_with("tls:");
+  const std::string_view whole = text;
+  if (tls) text.remove_prefix(4);
 
   // A colon inside brackets belongs to an IPv6 address.
   std::string_view host = "127.0.0.1";
@@ -129,23 +159,24 @@ Result<Endpoint> parse_endpoint(std::string_view text) {
     if (host.starts_with('[') && host.ends_with(']')) {
       host = host.substr(1, host.size() - 2);
     } else if (host.find(':') != std::string_view::npos) {
-      return bad(text, "an IPv6 address needs brackets, as in [::1]:7777");
+      return bad(whole, "an IPv6 address needs brackets, as in [::1]:7777");
     }
   }
-  if (host.empty()) return bad(text, std::string(expected));
+  if (host.empty()) return bad(whole, std::string(expected));
   const auto number = parse_port(port);
   if (!number) {
     const bool digits =
         !port.empty() && port.find_first_not_of("0123456789") == std::string_view::npos;
-    return bad(text, std::string(digits ? "a port is at most 65535" : expected));
+    return bad(whole, std::string(digits ? "a port is at most 65535" : expected));
   }
-  return Endpoint{Endpoint::Kind::tcp, {}, std::string(host), *number};
+  return Endpoint{Endpoint::Kind::tcp, {}, std::string(host), *number, tls};
 }
 
 std::string to_string(const Endpoint& endpoint) {
   if (endpoint.kind == Endpoint::Kind::unix_socket) return "unix:" + endpoint.path;
   const bool v6 = endpoint.host.find(':') != std::string::npos;
-  return (v6 ? "[" + endpoint.host + "]" : endpoint.host) + ":" + std::to_string(endpoint.port);
+  return (endpoint.tls ? "tls:" : "") + (v6 ? "[" + endpoint.host + "]" : endpoint.host) + ":" +
+         std::to_string(endpoint.port);
 }
 
 namespace {
@@ -254,7 +285,27 @@ Acceptor::FileId Acceptor::file_id(const std::string& path) {
   return {status.st_dev, status.st_ino};
 }
 
-Result<Acceptor> Acceptor::listen(const asio::any_io_executor& executor, const Endpoint& endpoint) {
+bool Acceptor::is_local() const {
+  if (endpoint_.kind == Endpoint::Kind::unix_socket) return true;
+  error_code error;
+  const auto local = native_.local_endpoint(error);
+  if (error) return false;
+  asio::ip::tcp::endpoint address;
+  std::memcpy(address.data(), local.data(), std::min(local.size(), address.capacity()));
+  return address.address().is_loopback();
+}
+
+Result<Acceptor> Acceptor::listen(const asio::any_io_executor& executor, const Endpoint& endpoint,
+                                  const SocketFile& file) {
+  if (const auto descriptor = take_inherited(endpoint)) {
+    const bool unix_socket = endpoint.kind == Endpoint::Kind::unix_socket;
+    const bool v6 = endpoint.host.find(':') != std::string::npos;
+    const int family = unix_socket ? AF_UNIX : v6 ? AF_INET6 : AF_INET;
+    Acceptor acceptor(Native(executor, asio::generic::stream_protocol(family, 0), *descriptor),
+                      endpoint);
+    acceptor.file_ = {};
+    return acceptor;
+  }
   if (endpoint.kind == Endpoint::Kind::unix_socket) {
     if (auto clear = clear_path(executor, endpoint); !clear) return tl::unexpected(clear.error());
   }
@@ -275,7 +326,8 @@ Result<Acceptor> Acceptor::listen(const asio::any_io_executor& executor, const E
   }
   native.bind(address, error);
   if (error) return failed(error);
-  if (endpoint.kind == Endpoint::Kind::unix_socket) ::chmod(endpoint.path.c_str(), 0600);
+  if (endpoint.kind == Endpoint::Kind::unix_socket)
+    if (auto open = let_in(endpoint, file); !open) return tl::unexpected(open.error());
   native.listen(backlog, error);
   if (error) return failed(error);
 

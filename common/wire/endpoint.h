@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <boost/asio.hpp>
 #include <chrono>
 #include <cstdint>
@@ -23,11 +25,13 @@ struct Endpoint {
   std::string path;        ///< Of a Unix socket; at most 107 bytes, the kernel's bound.
   std::string host;        ///< Name or address; a bare port means 127.0.0.1.
   std::uint16_t port = 0;  ///< 0: the kernel chooses one, for listeners only.
+  bool tls = false;        ///< What is said is encrypted: TCP with TLS.
 
   bool operator==(const Endpoint&) const = default;
 };
 
-/// Reads `unix:PATH`, `HOST:PORT`, `[IPV6]:PORT` or `PORT`. The error says what was expected.
+/// Reads `unix:PATH`, `HOST:PORT`, `[IPV6]:PORT` or `PORT`; `tls:` before one of the last three is
+/// TCP with TLS. The error says what was expected.
 Result<Endpoint> parse_endpoint(std::string_view text);
 /// As parse_endpoint reads it.
 std::string to_string(const Endpoint& endpoint);
@@ -43,12 +47,20 @@ inline constexpr std::chrono::seconds connect_timeout{10};
 asio::awaitable<Result<Socket>> connect(
     Endpoint endpoint, std::chrono::steady_clock::duration limit = connect_timeout);
 
-/// An open listening socket. A Unix socket's file (mode 0600) is removed with it.
+/// Who may connect to a Unix socket: the system asks for the right to write its file.
+struct SocketFile {
+  mode_t mode = 0600;
+  std::string group;  ///< Its name; empty: that of the process.
+};
+
+/// An open listening socket. A Unix socket's file is removed with it.
 class Acceptor {
  public:
   /// Binds and listens. A Unix socket file that nobody listens on any more is replaced. Errors: an
-  /// address in use, a file that is no socket, whatever else the system says.
-  static Result<Acceptor> listen(const asio::any_io_executor& executor, const Endpoint& endpoint);
+  /// address in use, a file that is no socket, a group that does not exist, whatever else the
+  /// system says.
+  static Result<Acceptor> listen(const asio::any_io_executor& executor, const Endpoint& endpoint,
+                                 const SocketFile& file = {});
 
   Acceptor(Acceptor&&) noexcept = default;
   Acceptor& operator=(Acceptor&&) = delete;
@@ -56,7 +68,10 @@ class Acceptor {
 
   /// The endpoint, with the port that the kernel chose.
   const Endpoint& endpoint() const { return endpoint_; }
-  /// The next connection; TCP without delay and with keep-alive. Errors: the system's.
+  /// Only this machine can connect: a Unix socket, or an address of the loopback.
+  bool is_local() const;
+  /// The next connection; a TCP peer that is gone is noticed within a minute (see prepare_tcp).
+  /// Errors: the system's.
   asio::awaitable<std::pair<boost::system::error_code, Socket>> accept();
   void close();
 

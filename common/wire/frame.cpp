@@ -11,6 +11,8 @@ const char* describe(FrameError error) {
       return "the frame's length is over the limit";
     case FrameError::empty:
       return "the frame's length is 0";
+    case FrameError::tls:
+      return "these bytes are TLS, not a frame";
   }
   return "unknown frame error";
 }
@@ -44,6 +46,9 @@ tl::expected<std::size_t, FrameError> FrameDecoder::payload_size() const {
     size = size << 8 | static_cast<unsigned char>(buffer_[begin_ + i]);
   }
   if (size == 0) return tl::unexpected(FrameError::empty);
+  // A handshake or an alert, of version 3.x (RFC 8446, 5.1): far above any limit here.
+  if (const std::size_t record = size >> 16; record == 0x1603 || record == 0x1503)
+    return tl::unexpected(FrameError::tls);
   if (size > limit_) return tl::unexpected(FrameError::too_large);
   return size;
 }

@@ -27,6 +27,7 @@ inline constexpr std::size_t max_frame = max_chunk + 1024;
 enum class FrameError {
   too_large,  ///< The length is above the limit. Nothing was allocated for it.
   empty,      ///< The length is 0: no message is that short.
+  tls,        ///< The peer speaks TLS: no frame begins like one of its records.
 };
 const char* describe(FrameError error);
 
@@ -39,6 +40,9 @@ std::string encode_frame(std::string_view payload);
 class FrameDecoder {
  public:
   explicit FrameDecoder(std::size_t limit = max_frame) : limit_(limit) {}
+
+  /// From the next frame on.
+  void set_limit(std::size_t limit) { limit_ = limit; }
 
   /// Adds received bytes.
   void feed(std::string_view bytes);

@@ -10,6 +10,21 @@ namespace metamer::wire {
 
 namespace {
 
+bool is_loopback(const asio::generic::stream_protocol::endpoint& remote) {
+  if (remote.data()->sa_family == AF_INET) {
+    sockaddr_in address{};
+    std::memcpy(&address, remote.data(), std::min(sizeof address, remote.size()));
+    return asio::ip::address_v4(ntohl(address.sin_addr.s_addr)).is_loopback();
+  }
+  sockaddr_in6 address{};
+  std::memcpy(&address, remote.data(), std::min(sizeof address, remote.size()));
+  asio::ip::address_v6::bytes_type bytes;
+  std::memcpy(bytes.data(), &address.sin6_addr, bytes.size());
+  const asio::ip::address_v6 v6(bytes);
+  return v6.is_loopback() ||
+         (v6.is_v4_mapped() && asio::ip::make_address_v4(asio::ip::v4_mapped, v6).is_loopback());
+}
+
 std::string address_text(const asio::generic::stream_protocol::endpoint& remote) {
   if (remote.data()->sa_family == AF_INET) {
     sockaddr_in address{};
@@ -37,12 +52,17 @@ PeerIdentity peer_of(Socket& socket) {
   const auto local = socket.local_endpoint(error);
   if (error) return peer;
   if (local.data()->sa_family == AF_UNIX) {
-    if (::getsockopt(socket.native_handle(), SOL_SOCKET, SO_PEERCRED, &credentials, &size) == 0)
+    peer.local = true;
+    if (::getsockopt(socket.native_handle(), SOL_SOCKET, SO_PEERCRED, &credentials, &size) == 0) {
       peer.user = credentials.uid;
+      if (credentials.pid > 0) peer.process = credentials.pid;
+    }
     return peer;
   }
   const auto remote = socket.remote_endpoint(error);
-  if (!error) peer.address = address_text(remote);
+  if (error) return peer;
+  peer.address = address_text(remote);
+  peer.local = is_loopback(remote);
   return peer;
 }
 

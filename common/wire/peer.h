@@ -13,9 +13,11 @@ namespace metamer::wire {
 struct PeerIdentity {
   /// Of a Unix socket: who connected, or at the connecting end who listens.
   std::optional<uid_t> user;
+  std::optional<pid_t> process;  ///< The same end's; who can't be seen from here has none.
   /// Of TCP: the address without its port; of IPv6 its first 64 bits, the part that a provider
   /// gives out as one.
   std::string address;
+  bool local = false;  ///< Of this machine: a Unix socket, or an address of the loopback.
 
   bool operator==(const PeerIdentity&) const = default;
 };

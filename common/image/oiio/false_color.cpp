@@ -6,49 +6,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "common/color/srgb.h"
 #include "common/image/compare.h"
 #include "common/image/oiio/shared.h"
+#include "common/image/ramp.h"
 
 namespace metamer::oiio {
 namespace {
 
-using Color = std::array<float, 3>;  ///< Encoded sRGB.
-
-constexpr Color ground = {0.10F, 0.10F, 0.10F}, ink = {0.92F, 0.92F, 0.92F}, red = {1, 0, 0};
+// Encoded sRGB.
+constexpr Rgb ground = {0.10, 0.10, 0.10};
+constexpr std::array<float, 3> ink = {0.92F, 0.92F, 0.92F};
 // Pixels. A legend needs some width to be read, however small the picture.
 constexpr int legend_height = 76, least_width = 420, margin = 14, bar_height = 14;
-
-/// D. A. Green, A colour scheme for the display of astronomical intensity images, Bulletin of the
-/// Astronomical Society of India 39, 289 (2011), with its usual parameters: from black to white,
-/// ever lighter.
-Color cubehelix(double level) {
-  constexpr double start = 0.5, rotations = -1.5;
-  const double angle = 2 * std::numbers::pi * (start / 3 + rotations * level);
-  const double deviation = level * (1 - level) / 2;
-  const double c = std::cos(angle), s = std::sin(angle);
-  const std::array<double, 3> rgb = {level + deviation * (-0.14861 * c + 1.78277 * s),
-                                     level + deviation * (-0.29227 * c - 0.90649 * s),
-                                     level + deviation * (1.97294 * c)};
-  Color color;
-  for (std::size_t i = 0; i < 3; ++i) color[i] = static_cast<float>(std::clamp(rgb[i], 0.0, 1.0));
-  return color;
-}
-
-Color color_of(double value, double top) {
-  return std::isfinite(value) ? cubehelix(std::min(1.0, value / top)) : red;
-}
-
-/// 1, 2 or 5 and zeros, at or above `value`; 1 where there is nothing to show.
-double round_up(double value) {
-  if (!(value > 0)) return 1;
-  const double power = std::pow(10, std::floor(std::log10(value)));
-  for (const double nice : {1.0, 2.0, 5.0})
-    if (nice * power >= value) return nice * power;
-  return 10 * power;
-}
 
 class Canvas {
  public:
@@ -56,8 +27,9 @@ class Canvas {
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) set(x, y, ground);
   }
-  void set(int x, int y, const Color& color) {
-    std::copy(color.begin(), color.end(), image_.at(x, y));
+  void set(int x, int y, const Rgb& color) {
+    std::transform(color.begin(), color.end(), image_.at(x, y),
+                   [](double value) { return static_cast<float>(value); });
   }
   /// False: there is no font.
   bool text(int x, int y, const std::string& words, OIIO::ImageBufAlgo::TextAlignX align) {
@@ -134,13 +106,13 @@ bool draw_legend(Canvas& canvas, int width, int y, double top, const std::string
 
 Result<Image> false_color(const Difference& difference, Metric metric, double top,
                           std::string_view title) {
-  if (!(top > 0)) top = round_up(difference.statistics.percentile_99);
+  if (!(top > 0)) top = scale_end(difference.statistics.percentile_99);
   const int width = std::max(difference.width, least_width);
   Canvas canvas(width, difference.height + legend_height);
   std::size_t i = 0;
   for (int y = 0; y < difference.height; ++y)
     for (int x = 0; x < difference.width; ++x)
-      canvas.set((width - difference.width) / 2 + x, y, color_of(difference.values[i++], top));
+      canvas.set((width - difference.width) / 2 + x, y, ramp_color(difference.values[i++], top));
 
   const std::string words = plain_name_of(metric) + (title.empty() ? "" : ", " + ascii(title));
   if (!draw_legend(canvas, width, difference.height, top, words, remarks(difference, top)))

@@ -16,6 +16,18 @@ namespace Algo = OIIO::ImageBufAlgo;
 
 int width_of(const std::string& words) { return Algo::text_size(words, letters, font).width(); }
 
+Algo::TextAlignX align_of(Label::Place place) {
+  switch (place) {
+    case Label::Place::left:
+      return Algo::TextAlignX::Left;
+    case Label::Place::center:
+      return Algo::TextAlignX::Center;
+    case Label::Place::right:
+      return Algo::TextAlignX::Right;
+  }
+  return Algo::TextAlignX::Left;
+}
+
 /// As much as there is room for.
 std::string shortened(std::string words, int width) {
   if (width <= 0 || width_of(words) <= width) return words;
@@ -39,8 +51,7 @@ Result<void> draw_labels(Image& image, const std::vector<Label>& labels) {
     const Xyz white = srgb::to_xyz({label.grey, label.grey, label.grey});
     const float ink[] = {static_cast<float>(white[0]), static_cast<float>(white[1]),
                          static_cast<float>(white[2])};
-    const auto align =
-        label.place == Label::Place::center ? Algo::TextAlignX::Center : Algo::TextAlignX::Left;
+    const auto align = align_of(label.place);
     const std::string words = shortened(ascii(label.words), label.width);
     if (words.empty() || Algo::render_text(all, label.x, label.y, words, letters, font, ink, align))
       continue;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstring>
 
 #include "common/mesh/gltf/buffers.h"
@@ -80,6 +81,32 @@ bool is_known(const std::string& extension) {
          std::any_of(known.begin(), known.end(), [&](const char* one) { return extension == one; });
 }
 
+/// "2.1" as its two numbers; nothing: it is no version.
+std::optional<std::array<unsigned, 2>> version_of(std::string_view text) {
+  std::array<unsigned, 2> version{};
+  const char* const end = text.data() + text.size();
+  const auto major = std::from_chars(text.data(), end, version[0]);
+  if (major.ec != std::errc() || major.ptr == end || *major.ptr != '.') return std::nullopt;
+  const auto minor = std::from_chars(major.ptr + 1, end, version[1]);
+  if (minor.ec != std::errc() || minor.ptr != end) return std::nullopt;
+  return version;
+}
+
+/// A file of 2.x is read, unless it says that a reader of 2.0 is not enough (glTF 2.0, 3.2).
+Result<void> check_version(const Value& asset) {
+  const std::string written = asset["version"].text();
+  const auto version = version_of(written);
+  if (!version || (*version)[0] != 2)
+    return problem("is glTF " + mesh_text::cited(written) + "; version 2 is read");
+  const Value least = asset["minVersion"];
+  if (!least) return {};
+  const auto needed = version_of(least.text());
+  if (!needed || *needed > std::array<unsigned, 2>{2, 0})
+    return problem("needs glTF " + mesh_text::cited(least.text()) +
+                   " (asset.minVersion); version 2.0 is read");
+  return {};
+}
+
 }  // namespace
 
 Result<Document> Document::open(const Bytes& bytes, const std::string& name,
@@ -104,8 +131,7 @@ Result<Document> Document::open(const Bytes& bytes, const std::string& name,
     return problem("is not glTF 2.0");
 
   const Value root = document.root(), required = root["extensionsRequired"];
-  if (const std::string version = root["asset"]["version"].text(); !version.starts_with("2"))
-    return problem("is glTF " + mesh_text::cited(version) + "; version 2 is read");
+  if (auto right = check_version(root["asset"]); !right) return tl::unexpected(right.error());
   std::string unknown;
   for (std::size_t i = 0; i < required.size(); ++i)
     if (const std::string extension = required[i].text(); !is_known(extension))

@@ -7,6 +7,7 @@
 #include "common/mesh/gltf/nodes.h"
 #include "common/mesh/gltf/primitive.h"
 #include "common/mesh/smooth_normals.h"
+#include "common/mesh/text.h"
 #include "common/mesh/vertex.h"
 #include "common/scene/limits.h"
 
@@ -23,6 +24,7 @@ constexpr double far_times_its_size = 16;
 struct OpenMesh {
   std::vector<Primitive> primitives;
   std::vector<double> weights;
+  bool has_colors;  ///< Of vertices.
 };
 
 /// A mesh of the scene, as many times as its node has instances.
@@ -65,6 +67,22 @@ std::vector<Placement> instances_of(Document& document, const Value& node) {
     maps.push_back(transform(vector(t, i, 0), turn, vector(s, i, 1)));
   }
   return maps;
+}
+
+bool has_colors(const Value& primitives) {
+  for (std::size_t i = 0; i < primitives.size(); ++i)
+    if (primitives[i]["attributes"]["COLOR_0"]) return true;
+  return false;
+}
+
+/// Names in quotes, the first few of many.
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
+    text += (i > 0 ? ", " : "") + mesh_text::cited(names[i]);
+  if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
+  return text;
 }
 
 /// Appends what has as fine positions, and normals.
@@ -121,7 +139,9 @@ class Reader {
       const auto [place, is_new] = meshes_.try_emplace(*mesh);
       if (is_new)
         place->second = {open_primitives(document_, meshes[*mesh], materials, file_.skipped_faces),
-                         weights_of(meshes[*mesh]["weights"])};
+                         weights_of(meshes[*mesh]["weights"]),
+                         has_colors(meshes[*mesh]["primitives"])};
+      if (place->second.has_colors) colored_.push_back(name_of_node(document_, node.index));
       std::vector<double> weights =
           value["weights"] ? weights_of(value["weights"]) : place->second.weights;
       for (const Primitive& primitive : place->second.primitives) {
@@ -186,6 +206,8 @@ class Reader {
       file_.normals.clear();
       file_.crease_angle = crease_angle;
     }
+    if (!colored_.empty())
+      file_.notes.push_back("vertex colours (COLOR_0) of " + listed(colored_) + " were left out");
     if (has_skins_) file_.notes.push_back("skins are left out: meshes stand as they were modelled");
     if (document_.root()["animations"].size() > 0)
       file_.notes.push_back("animations are left out: nodes stand where they stand by default");
@@ -195,6 +217,7 @@ class Reader {
   std::map<std::size_t, OpenMesh> meshes_;
   std::vector<Draw> draws_;
   bool has_normals_ = false, has_skins_ = false;
+  std::vector<std::string> colored_;  ///< Nodes with vertex colours.
   MeshFile file_;
 };
 

@@ -1,9 +1,12 @@
 #include "common/mesh/gltf/gltf_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
+#include <set>
 
 #include "common/mesh/gltf/nodes.h"
+#include "common/mesh/text.h"
 
 namespace metamer::gltf {
 namespace {
@@ -18,7 +21,8 @@ std::optional<GltfCamera> camera_of(const Document& document, const PlacedNode& 
                                     std::size_t index, GltfScene& scene) {
   const Value camera = document.root()["cameras"][index], view = camera["perspective"];
   if (!view) {
-    scene.left_out.push_back("an orthographic camera");
+    scene.left_out.push_back("the orthographic camera " +
+                             mesh_text::cited(name_of_node(document, node.index)));
     return std::nullopt;
   }
   const double fov = view["yfov"].number(0) * degrees;
@@ -56,15 +60,48 @@ std::optional<GltfLight> light_of(const Document& document, const PlacedNode& no
   return to;
 }
 
+/// The extensions that a file says it uses, each once; there are fewer in the world.
+std::set<std::string> extensions_of(const Document& document) {
+  constexpr std::size_t most = 256;
+  const Value used = document.root()["extensionsUsed"];
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < std::min(used.size(), most); ++i)
+    names.insert(on_one_line(used[i].text()));
+  return names;
+}
+
+/// What a material has beside its base colour (3.9, and its extensions).
+std::vector<std::string> left_out_of(const Value& material,
+                                     const std::set<std::string>& extensions) {
+  std::vector<std::string> names;
+  const auto tell = [&](bool counts, const std::string& name) {
+    if (counts) names.push_back(name);
+  };
+  const Value rough = material["pbrMetallicRoughness"];
+  tell(rough["roughnessFactor"].number(1) != 1, "roughnessFactor");
+  tell(bool(rough["metallicRoughnessTexture"]), "metallicRoughnessTexture");
+  for (const char* texture : {"normalTexture", "occlusionTexture", "emissiveTexture"})
+    tell(bool(material[texture]), texture);
+  if (const auto emitted = material["emissiveFactor"].numbers(3))
+    tell(*emitted != std::vector<double>(3, 0.0), "emissiveFactor");
+  if (const std::string mode = on_one_line(material["alphaMode"].text()); mode != "OPAQUE")
+    tell(!mode.empty(), "alphaMode " + mode);
+  for (const std::string& extension : extensions)
+    tell(bool(material["extensions"][extension.c_str()]), extension);
+  return names;
+}
+
 void read_materials(const Document& document, GltfScene& scene) {
   const Value materials = document.root()["materials"];
   const std::vector<std::string> names = material_names(document);
+  const std::set<std::string> extensions = extensions_of(document);
   for (std::size_t i = 0; i < materials.size(); ++i) {
     const Value rough = materials[i]["pbrMetallicRoughness"];
     GltfMaterial material{.name = names[i],
                           .base_color = {1, 1, 1},
                           .is_textured = bool(rough["baseColorTexture"]),
-                          .is_metallic = rough["metallicFactor"].number(1) > 0.5};
+                          .is_metallic = rough["metallicFactor"].number(1) > 0.5,
+                          .left_out = left_out_of(materials[i], extensions)};
     if (const auto color = rough["baseColorFactor"].numbers(4))
       for (std::size_t k = 0; k < 3; ++k)
         material.base_color[k] = std::clamp((*color)[k], 0.0, 1.0);
@@ -72,14 +109,35 @@ void read_materials(const Document& document, GltfScene& scene) {
   }
 }
 
-void tell_what_is_left(const Document& document, GltfScene& scene) {
-  const auto count = [&](const char* list, const char* one, const char* many) {
-    if (const std::size_t n = document.root()[list].size(); n > 0)
-      scene.left_out.push_back(std::to_string(n) + " " + (n == 1 ? one : many));
-  };
-  count("textures", "texture", "textures");
-  count("animations", "animation", "animations");
-  count("skins", "skin", "skins");
+/// Extensions that are neither done nor a material's or a texture's, which are told with these.
+void tell_extensions(const Document& document, GltfScene& scene) {
+  static constexpr std::array done = {"KHR_mesh_quantization", "EXT_mesh_gpu_instancing",
+                                      "KHR_lights_punctual", "KHR_xmp_json_ld"};
+  for (const std::string& name : extensions_of(document)) {
+    const bool is_told =
+        name.find("_texture_") != std::string::npos ||
+        std::any_of(scene.materials.begin(), scene.materials.end(), [&](const GltfMaterial& one) {
+          return std::count(one.left_out.begin(), one.left_out.end(), name) > 0;
+        });
+    if (!is_told && std::find(done.begin(), done.end(), name) == done.end())
+      scene.left_out.push_back("the extension " + mesh_text::cited(name));
+  }
+}
+
+/// Points and lines of a node's mesh, each kind and material once.
+void tell_points_and_lines(const Document& document, const PlacedNode& node, std::size_t mesh,
+                           const std::vector<std::string>& materials, GltfScene& scene) {
+  const Value primitives = document.root()["meshes"][mesh]["primitives"];
+  std::set<std::string> told;
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    const std::uint64_t mode = primitives[i]["mode"].whole(6, 4);
+    if (mode >= 4) continue;
+    std::string text = (mode == 0 ? "points of " : "lines of ") +
+                       mesh_text::cited(name_of_node(document, node.index));
+    if (const auto at = primitives[i]["material"].index(materials.size()))
+      text += ", whose material is " + mesh_text::cited(materials[*at]);
+    if (told.insert(text).second) scene.left_out.push_back(text);
+  }
 }
 
 }  // namespace
@@ -88,15 +146,22 @@ static Result<GltfScene> read_scene(const Document& document) {
   GltfScene scene;
   const Value root = document.root(), nodes = root["nodes"];
   const Value lights = root["extensions"]["KHR_lights_punctual"]["lights"];
+  const std::vector<std::string> materials = material_names(document);
+  std::set<std::size_t> meshes;
   for (const PlacedNode& node : placed_nodes(document)) {
     const Value value = nodes[node.index];
+    const auto mesh = value["mesh"].index(root["meshes"].size());
+    if (mesh && meshes.insert(*mesh).second)
+      tell_points_and_lines(document, node, *mesh, materials, scene);
     if (const auto at = value["camera"].index(root["cameras"].size()))
       if (auto camera = camera_of(document, node, *at, scene)) scene.cameras.push_back(*camera);
     if (const auto at = value["extensions"]["KHR_lights_punctual"]["light"].index(lights.size()))
       if (auto light = light_of(document, node, lights[*at])) scene.lights.push_back(*light);
   }
   read_materials(document, scene);
-  tell_what_is_left(document, scene);
+  tell_extensions(document, scene);
+  if (root["scenes"].size() > 1)
+    scene.left_out.push_back("all scenes but the one that the file shows first");
   if (document.fault()) return problem("is not sound glTF: " + *document.fault());
   return scene;
 }

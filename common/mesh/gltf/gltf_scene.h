@@ -26,6 +26,8 @@ struct GltfMaterial {
   std::string name;
   Double3 base_color;  ///< Linear sRGB, 0..1.
   bool is_textured, is_metallic;
+  /// What else counts of it: "emissiveFactor", "KHR_materials_transmission", each once.
+  std::vector<std::string> left_out = {};
 };
 
 struct GltfScene {

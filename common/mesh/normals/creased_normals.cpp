@@ -77,6 +77,11 @@ class Creases {
  private:
   bool spans(std::size_t triangle) const { return corners_[triangle].normal != Double3{}; }
 
+  bool in_one_group(std::size_t a, std::size_t b) const {
+    const std::vector<std::uint32_t>& groups = mesh_.smoothing;
+    return groups.empty() || (groups[a] == groups[b] && groups[a] != 0);
+  }
+
   std::vector<Side> find_sides() const {
     const std::vector<std::uint32_t> same = equal_positions(mesh_);
     std::vector<Side> sides;
@@ -96,7 +101,7 @@ class Creases {
     for (const Side* a = begin; a != end; ++a)
       for (const Side* b = a + 1; b != end; ++b) {
         const double cosine = dot(corners_[a->at_low / 3].normal, corners_[b->at_low / 3].normal);
-        if (cosine < least_cosine_) continue;
+        if (cosine < least_cosine_ || !in_one_group(a->at_low / 3, b->at_low / 3)) continue;
         groups_.join(a->at_low, b->at_low);
         groups_.join(a->at_high, b->at_high);
       }
@@ -185,10 +190,12 @@ bool has_no_crease(const MeshFile& mesh, double degrees) {
 }  // namespace
 
 void creased_normals(MeshFile& mesh, double degrees) {
-  // Most meshes are round: that takes a tenth of the time to find out.
-  smooth_normals(mesh);
-  if (has_no_crease(mesh, degrees)) return;
-  mesh.normals.clear();
+  if (mesh.smoothing.empty()) {
+    // Most meshes are round: that takes a tenth of the time to find out.
+    smooth_normals(mesh);
+    if (has_no_crease(mesh, degrees)) return;
+    mesh.normals.clear();
+  }
   Creases(mesh, degrees).smooth();
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <map>
+#include <set>
 
 #include "common/mesh/obj/corner_vertices.h"
 #include "common/mesh/obj/lines.h"
@@ -30,9 +31,9 @@ class FileReader {
     if (auto counted = count_all(); !counted) return tl::unexpected(counted.error());
     if (auto read = read_all(); !read) return tl::unexpected(read.error());
     if (auto named = name_runs(); !named) return tl::unexpected(named.error());
-    const bool free_form = std::any_of(faces_.begin(), faces_.end(),
-                                       [](const Faces& faces) { return faces.free_form; });
-    if (free_form) mesh_.notes.push_back("curves and surfaces (curv, surf) were left out");
+    note(&Faces::free_form, "curves and surfaces (curv, surf)");
+    note(&Faces::points_or_lines, "points and lines (p, l)");
+    note(&Faces::vertex_colors, "vertex colours (v x y z r g b)");
     make_vertices();
     make_triangles();
     if (mesh_.triangles.empty()) return problem_in("holds no triangles");
@@ -42,6 +43,11 @@ class FileReader {
  private:
   tl::unexpected<Problem> problem_in(std::string message) const {
     return mesh_text::problem_at(file_, 0, std::move(message));
+  }
+
+  void note(bool Faces::*has, const std::string& what) {
+    if (std::any_of(faces_.begin(), faces_.end(), [&](const Faces& one) { return one.*has; }))
+      mesh_.notes.push_back(what + " were left out");
   }
 
   /// Cuts the file into pieces for the threads.
@@ -99,11 +105,14 @@ class FileReader {
   Result<void> name_runs() {
     std::map<std::pair<std::string, std::string>, std::size_t> numbers;
     std::string object, group, material;
+    std::uint32_t smoothing = none;  // Before any s: one group.
+    std::set<std::uint32_t> groups;
     for (const Faces& faces : faces_)
       for (const Run& run : faces.runs) {
         object = run.object.value_or(object);
         group = run.group.value_or(group);
         material = run.material.value_or(material);
+        smoothing = run.smoothing.value_or(smoothing);
         std::size_t number = 0;
         if (run.triangles > 0) {
           const std::string& name = group.empty() ? object : group;
@@ -115,6 +124,8 @@ class FileReader {
           mesh_.pieces[number].triangles += run.triangles;
         }
         run_pieces_.push_back(number);
+        run_smoothing_.push_back(run.triangles > 0 ? smoothing : none);
+        if (run.triangles > 0) groups.insert(smoothing);
       }
     std::uint64_t triangles = 0;
     for (MeshPiece& piece : mesh_.pieces) {
@@ -125,6 +136,10 @@ class FileReader {
       return problem_in("holds " + std::to_string(triangles) + " triangles; at most " +
                         std::to_string(limits::max_triangles) + " are allowed");
     mesh_.triangles.resize(triangles);  // Those that no face becomes are {0, 0, 0}.
+    if (groups.size() > 1)
+      mesh_.smoothing.resize(triangles);
+    else if (groups.contains(0))
+      mesh_.crease_angle = 0;
     return {};
   }
 
@@ -174,6 +189,7 @@ class FileReader {
       }
 
     // Write them.
+    if (!mesh_.smoothing.empty()) keep_smoothing(places);
     std::atomic<std::uint64_t> skipped{0};
     for_pieces([&](std::size_t i) {
       skipped += split_faces(faces_[i], places[i]);
@@ -181,6 +197,14 @@ class FileReader {
     });
     mesh_.skipped_faces = skipped;
     close_gaps();
+  }
+
+  void keep_smoothing(const std::vector<std::vector<std::uint64_t>>& places) {
+    auto smoothing = run_smoothing_.begin();
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+      for (std::size_t r = 0; r < faces_[i].runs.size(); ++r)
+        std::fill_n(mesh_.smoothing.begin() + static_cast<std::ptrdiff_t>(places[i][r]),
+                    faces_[i].runs[r].triangles, *smoothing++);
   }
 
   std::uint64_t split_faces(const Faces& faces, const std::vector<std::uint64_t>& places) {
@@ -210,10 +234,14 @@ class FileReader {
     for (MeshPiece& piece : mesh_.pieces) {
       const std::uint64_t first = std::exchange(piece.first_triangle, kept);
       for (std::uint64_t i = first; i < first + piece.triangles; ++i)
-        if (!is_gap(triangles[i])) triangles[kept++] = triangles[i];
+        if (!is_gap(triangles[i])) {
+          if (!mesh_.smoothing.empty()) mesh_.smoothing[kept] = mesh_.smoothing[i];
+          triangles[kept++] = triangles[i];
+        }
       piece.triangles = kept - piece.first_triangle;
     }
     triangles.resize(kept);
+    if (!mesh_.smoothing.empty()) mesh_.smoothing.resize(kept);
     std::erase_if(mesh_.pieces, [](const MeshPiece& piece) { return piece.triangles == 0; });
   }
 
@@ -224,7 +252,8 @@ class FileReader {
   std::vector<std::string_view> pieces_;
   std::vector<Counts> before_;
   std::vector<Faces> faces_;
-  std::vector<std::size_t> run_pieces_;  ///< Of each run, its number in the file's pieces.
+  std::vector<std::size_t> run_pieces_;       ///< Of each run, its number in the file's pieces.
+  std::vector<std::uint32_t> run_smoothing_;  ///< And its group; `none` where there is no s.
   Vertices vertices_;
   MeshFile mesh_;
 };

@@ -13,7 +13,7 @@ namespace {
 
 using mesh_text::skip_space;
 
-enum class Statement { v, vt, vn, f, o, g, usemtl, free_form, other };
+enum class Statement { v, vt, vn, f, o, g, s, usemtl, free_form, points_or_lines, other };
 
 /// What a line says; `line` becomes what follows its first word.
 Statement take_statement(std::string_view& line) {
@@ -28,9 +28,11 @@ Statement take_statement(std::string_view& line) {
   if (word == "vt") return Statement::vt;
   if (word == "o") return Statement::o;
   if (word == "g") return Statement::g;
+  if (word == "s") return Statement::s;
   if (word == "usemtl") return Statement::usemtl;
   if (word == "fo") return Statement::f;  // Of versions before 3.
   if (word == "curv" || word == "curv2" || word == "surf") return Statement::free_form;
+  if (word == "p" || word == "l") return Statement::points_or_lines;
   return Statement::other;
 }
 
@@ -39,6 +41,14 @@ std::string name_in(std::string_view line) {
   line.remove_prefix(static_cast<std::size_t>(begin - line.data()));
   while (!line.empty() && mesh_text::is_space(line.back())) line.remove_suffix(1);
   return mesh_text::utf8_name(line);
+}
+
+/// The number of a smoothing group; 0: off, or what is no number.
+std::uint32_t smoothing_in(std::string_view line) {
+  const char* const end = line.data() + line.size();
+  std::uint32_t number = 0;
+  std::from_chars(skip_space(line.data(), end), end, number);
+  return number;
 }
 
 class PieceReader {
@@ -66,11 +76,17 @@ class PieceReader {
       case Statement::g:
         run().group = name_in(line);
         break;
+      case Statement::s:
+        run().smoothing = smoothing_in(line);
+        break;
       case Statement::usemtl:
         run().material = name_in(line);
         break;
       case Statement::free_form:
         faces_.free_form = true;
+        break;
+      case Statement::points_or_lines:
+        faces_.points_or_lines = true;
         break;
       case Statement::other:
         break;
@@ -79,9 +95,11 @@ class PieceReader {
   }
 
  private:
-  /// So many of a line's numbers, of which it has to have the first `least`.
+  /// So many of a line's numbers, of which it has to have the first `least`; `line` becomes what
+  /// follows them.
   template <std::size_t size>
-  static bool read_numbers(std::string_view line, std::size_t least, std::array<double, size>& to) {
+  static bool read_numbers(std::string_view& line, std::size_t least,
+                           std::array<double, size>& to) {
     const char* at = line.data();
     const char* const end = at + line.size();
     for (std::size_t i = 0; i < size; ++i) {
@@ -90,6 +108,7 @@ class PieceReader {
       if (!value) return i >= least && (at == end || *at == '#');
       to[i] = *value;
     }
+    line.remove_prefix(static_cast<std::size_t>(at - line.data()));
     return true;
   }
 
@@ -98,6 +117,9 @@ class PieceReader {
     if (!read_numbers(line, 3, position)) return "v has three numbers";
     if (!is_position(position)) return "v is not finite or too far out";
     vertices_.v[now_.v++] = position;
+    std::array<double, 3> color;
+    if (!line.empty() && !faces_.vertex_colors)
+      faces_.vertex_colors = read_numbers(line, color.size(), color);
     return std::nullopt;
   }
   std::optional<std::string> read_vt(std::string_view line) {
@@ -170,6 +192,7 @@ class PieceReader {
       faces_.runs.push_back({.object = {},
                              .group = {},
                              .material = {},
+                             .smoothing = {},
                              .first_face = faces_.corners.size(),
                              .first_corner = faces_.v.size()});
     return faces_.runs.back();

@@ -23,6 +23,7 @@ struct Counts {
 struct Run {
   /// As far as they are named before it; nothing: as in the run before. An o ends its group.
   std::optional<std::string> object, group, material;
+  std::optional<std::uint32_t> smoothing;  ///< Its group; 0: off. The same of it.
   std::size_t first_face = 0, first_corner = 0;
   std::uint64_t triangles = 0;  ///< That its faces may become.
 };
@@ -32,7 +33,9 @@ struct Faces {
   std::vector<std::uint32_t> corners;    ///< Of each face, how many.
   std::vector<std::uint32_t> v, vt, vn;  ///< Of each corner; vt, vn empty: the file has none.
   std::vector<Run> runs;
-  bool free_form = false;  ///< It has curves or surfaces, which are none.
+  bool free_form = false;        ///< It has curves or surfaces, which are none.
+  bool points_or_lines = false;  ///< It has p or l, which are none.
+  bool vertex_colors = false;    ///< A v has r g b behind its x y z.
 };
 
 /// Where v, vt and vn go, in the file's order.

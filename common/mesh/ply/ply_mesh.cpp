@@ -96,6 +96,7 @@ class Reader {
         if (element.find({"texcoord"}))
           mesh_.notes.push_back("texture coordinates of faces (texcoord) were left out");
       }
+      note_colors(element);
       if (auto measured = measure(extent, at); !measured) return measured;
       if (element.name == "vertex" && vertices_.element != nullptr)
         return problem_at(0, "has two elements \"vertex\"");
@@ -106,6 +107,16 @@ class Reader {
     }
     if (vertices_.element == nullptr) return problem_at(0, "has no element \"vertex\"");
     return {};
+  }
+
+  void note_colors(const Element& element) {
+    const bool colored = element.find({"red", "diffuse_red"}) &&
+                         element.find({"green", "diffuse_green"}) &&
+                         element.find({"blue", "diffuse_blue"});
+    const bool of_vertices = element.name == "vertex";
+    if (colored && (of_vertices || element.name == "face"))
+      mesh_.notes.push_back(std::string(of_vertices ? "vertex colours" : "colours of faces") +
+                            " (red, green, blue) were left out");
   }
 
   /// Goes over an element's rows. Each value is at least one byte: nothing is allocated that the

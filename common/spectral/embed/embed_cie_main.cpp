@@ -71,11 +71,25 @@ void correct_f10(metamer::Spectrum& light) {
   correct(605, 0.0881, 0.0831);
 }
 
+/// colord has no D75. It is made as the CIE's other tables of daylight are (CIE 15:2004, 3.1): of
+/// S0, S1, S2 with M1 and M2 of 7500 K × 1.4388 / 1.4380 rounded to three digits.
+NamedSpectrum make_d75(const std::string& folder) {
+  const auto s = read(folder + "/ref/CIE-1986-daylight-SPD.cmf", 3);
+  constexpr double m1 = 0.145, m2 = -0.760;
+  NamedSpectrum d75{.name = "D75", .spectrum = s[0].spectrum};
+  for (std::size_t i = 0; i < d75.spectrum.values.size(); ++i)
+    d75.spectrum.values[i] =
+        (s[0].spectrum.values[i] + m1 * s[1].spectrum.values[i] + m2 * s[2].spectrum.values[i]) /
+        100;
+  return d75;
+}
+
 std::vector<NamedSpectrum> read_illuminants(const std::string& folder) {
   std::vector<NamedSpectrum> all;
   for (const std::string name :
        {"A",  "B",  "C",  "D50", "D55", "D65", "D93", "E",   "F1",  "F2",
         "F3", "F4", "F5", "F6",  "F7",  "F8",  "F9",  "F10", "F11", "F12"}) {
+    if (name == "D93") all.push_back(make_d75(folder));
     all.push_back(read(folder + "/illuminant/CIE-" + name + ".sp", 1).front());
     all.back().name = name;
     if (name == "F10") correct_f10(all.back().spectrum);

@@ -9,9 +9,6 @@
 namespace metamer {
 namespace {
 
-/// No paper reflects five times the light, fluorescent or not.
-constexpr double surely_percent = 5;
-
 bool is_property(Quantity quantity) { return quantity != Quantity::emission; }
 
 /// What a spectrum is, where nobody said it.
@@ -29,6 +26,18 @@ Quantity guessed(const SpectrumFile& file, const Spectrum& spectrum,
   notes.push_back("taken for an emission, as its values go from " + number_text(*low) + " to " +
                   number_text(*high));
   return Quantity::emission;
+}
+
+/// That what nobody said to be a lamp looks like a reflectance: it is in percents, or stays within
+/// 0..1 and below the 1 that a normalised lamp reaches.
+void note_likely_property(const SpectrumFile& file, const Spectrum& spectrum,
+                          std::vector<std::string>& notes) {
+  constexpr double nearly_one = 0.999;
+  const auto [low, high] = std::minmax_element(spectrum.values.begin(), spectrum.values.end());
+  if (file.scale == Scale::percent)
+    notes.push_back("taken for an emission, though the file is in percents");
+  else if (!file.scale && spectrum.values.size() > 1 && *low > 0 && *high < nearly_one)
+    notes.push_back("taken for an emission, though its values lie in 0..1, as a reflectance's");
 }
 
 Scale scale_of(const SpectrumFile& file, const Spectrum& spectrum, const Reading& reading,
@@ -73,11 +82,12 @@ std::optional<std::string> range_fault(const Spectrum& spectrum, Quantity quanti
   return std::nullopt;
 }
 
-void note_range(const Spectrum& spectrum, std::vector<std::string>& notes) {
+/// That no eye sees any of its wavelengths.
+std::optional<std::string> out_of_sight(const Spectrum& spectrum) {
   const double from = spectrum.nm.front(), to = spectrum.nm.back();
-  if (to > observer_from_nm && from < observer_to_nm) return;
-  notes.push_back("its wavelengths, " + number_text(from) + " to " + number_text(to) +
-                  " nm, are none that an eye sees");
+  if (to > observer_from_nm && from < observer_to_nm) return std::nullopt;
+  return "its wavelengths, " + number_text(from) + " to " + number_text(to) +
+         " nm, are none that an eye sees";
 }
 
 }  // namespace
@@ -115,6 +125,7 @@ Result<Interpreted> interpret(const SpectrumFile& file, NamedSpectrum one, const
     result.quantity = guessed(file, result.spectrum, result.notes);
   else
     result.quantity = use == Use::emission ? Quantity::emission : Quantity::reflectance;
+  if (!said && use == Use::emission) note_likely_property(file, result.spectrum, result.notes);
 
   // How it is written.
   if (is_property(result.quantity) &&
@@ -125,7 +136,10 @@ Result<Interpreted> interpret(const SpectrumFile& file, NamedSpectrum one, const
     if (use != Use::any) return problem(std::move(*fault));
     result.notes.push_back(std::move(*fault));
   }
-  note_range(result.spectrum, result.notes);
+  if (auto unseen = out_of_sight(result.spectrum)) {
+    if (use != Use::any) return problem(*unseen + "; are they in another unit?");
+    result.notes.push_back(std::move(*unseen));
+  }
   return result;
 }
 

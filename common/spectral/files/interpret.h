@@ -30,8 +30,8 @@ struct Interpreted {
 /// Gives a spectrum of `file` its quantity and scale: by `reading`, else by the file's words, else
 /// by its use, else by a guess, which is noted: values within 0..1 are a reflectance, others an
 /// emission. A property in a file that reaches above 5 without a word is in percents, which is
-/// noted too. Errors, for a use: another quantity by the file's words; an emission below 0; a
-/// property outside 0..1.
+/// noted too; so is an emission that looks like a property. Errors, for a use: another quantity by
+/// the file's words; an emission below 0; a property outside 0..1; no wavelength that is seen.
 Result<Interpreted> interpret(const SpectrumFile& file, NamedSpectrum one, const Reading& reading,
                               Use use);
 

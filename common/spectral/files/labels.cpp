@@ -9,6 +9,7 @@ namespace metamer::spectrum_text {
 namespace {
 
 constexpr std::string_view blanks = " \t";
+constexpr std::size_t npos = std::string_view::npos;
 
 void trim(std::string_view& text) {
   text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
@@ -141,7 +142,12 @@ std::string unusable_axis(std::string_view heading) {
 
 std::string unusable_quantity(std::string_view heading) {
   const std::string text = lower(heading);
-  if (has_any(heading, {"absorb", "absorp"})) return "absorbance";
+  const bool constant = has_any(heading, {"coefficient", "koeffizient"});  // k of a metal
+  if (has_any(heading, {"absorb", "absorp", "extinktion", "extinction"}) && !constant)
+    return "absorbance";
+  if (text == "abs" || text.starts_with("abs.") || text.starts_with("abs ") ||
+      text.starts_with("abs("))
+    return "absorbance";
   if (text == "od" || text == "density" || has_any(heading, {"optical density"})) return "density";
   if (has_any(heading, {"k/s"})) return "K/S";
   if (has_any(heading, {"log10", "log(", "log r", "log t", "log 1"})) return "a logarithm";
@@ -150,8 +156,13 @@ std::string unusable_quantity(std::string_view heading) {
 }
 
 bool says_wavelength(std::string_view heading) {
-  return has_any(heading, {"wavelength", "wellenl", "lambda", "λ"}) || lower(heading) == "nm" ||
-         lower(heading) == "um" || lower(heading) == "µm" || lower(heading) == "wl";
+  if (has_any(heading, {"wavelength", "wellenl"})) return true;
+  // R(λ) is what is measured at it.
+  std::string_view rest = heading;
+  trim(rest);
+  const std::string text = lower(rest);
+  return text.starts_with("lambda") || text.starts_with("λ") || text == "nm" || text == "um" ||
+         text == "µm" || text == "μm" || text == "wl";
 }
 
 std::optional<Quantity> quantity_in(std::string_view text) {
@@ -164,9 +175,21 @@ std::optional<Quantity> quantity_in(std::string_view text) {
   };
   look(Quantity::reflectance, {"reflect", "remission"});
   look(Quantity::transmittance, {"transmi"});
-  look(Quantity::emission, {"radiance", "emission ", "emissive", "spd", "w/m", "w/(m", "w/nm",
-                            "radiant", "spectral power"});
+  look(Quantity::emission,
+       {"radiance", "emission ", "emissive", "spd", "w/m", "w/(m", "w/nm", "w/cm", "w/(cm", "w·m",
+        "w m-2", "radiant", "spectral power", "strahldichte", "strahlungs", "bestrahlung"});
   return count == 1 ? found : std::nullopt;
+}
+
+std::optional<Quantity> quantity_of_heading(std::string_view heading) {
+  if (const auto said = quantity_in(heading)) return said;
+  std::string text = lower(heading);
+  std::erase_if(text, [](char c) { return std::string_view(" \t%()[]/").find(c) != npos; });
+  if (says_percent(heading) && text == "t") return Quantity::transmittance;
+  if (says_percent(heading) && text == "r") return Quantity::reflectance;
+  if (has_any(heading, {"counts", "intensity", "intensität", "power", "(a.u.)", "[a.u.]"}))
+    return Quantity::emission;
+  return std::nullopt;
 }
 
 }  // namespace metamer::spectrum_text

@@ -45,6 +45,9 @@ bool says_wavelength(std::string_view heading);
 /// Nothing: no such word, or words for several.
 std::optional<Quantity> quantity_in(std::string_view text);
 
+/// The same of a column's heading, where less says it: "%T", "Intensity (counts)", "Power (a.u.)".
+std::optional<Quantity> quantity_of_heading(std::string_view heading);
+
 /// ASCII letters in lower case, all else as it is.
 std::string lower(std::string_view text);
 

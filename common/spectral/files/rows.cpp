@@ -179,7 +179,7 @@ std::optional<Quantity> quantity_of(const Lines& lines, std::size_t end,
                                     const std::vector<Row>& headings) {
   for (const Row& row : headings)
     for (const Token& cell : row)
-      if (const auto quantity = quantity_in(cell.text)) return quantity;
+      if (const auto quantity = quantity_of_heading(cell.text)) return quantity;
   std::string words;
   for (std::size_t i = 0; i < end; ++i) words.append(lines.all()[i].text).append("\n");
   return quantity_in(words);

@@ -68,7 +68,21 @@ bool header_gives(const std::vector<double>& nm) {
   return true;
 }
 
-Result<std::string> cgats(const std::vector<NamedSpectrum>& spectra) {
+/// As Argyll's programs spell it.
+std::string measurement_type(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::reflectance:
+      return "REFLECTIVE";
+    case Quantity::transmittance:
+      return "TRANSMISSIVE";
+    case Quantity::emission:
+      return "EMISSION";
+  }
+  return {};
+}
+
+Result<std::string> cgats(const std::vector<NamedSpectrum>& spectra,
+                          std::optional<Quantity> quantity) {
   const std::vector<double>& nm = spectra.front().spectrum.nm;
   for (const NamedSpectrum& one : spectra)
     if (one.spectrum.nm != nm)
@@ -77,6 +91,7 @@ Result<std::string> cgats(const std::vector<NamedSpectrum>& spectra) {
   // A header where it gives these very positions, as Argyll wants one; else the columns' names.
   const bool header = header_gives(nm);
   std::string text = "SPECT\n\nDESCRIPTOR \"Spectra\"\nORIGINATOR \"metamer\"\n";
+  if (quantity) text += "MEAS_TYPE \"" + measurement_type(*quantity) + "\"\n";
   if (header)
     text += "SPECTRAL_BANDS " + std::to_string(nm.size()) + "\nSPECTRAL_START_NM " +
             plain_number(nm.front()) + "\nSPECTRAL_END_NM " + plain_number(nm.back()) + "\n";
@@ -97,9 +112,10 @@ Result<std::string> cgats(const std::vector<NamedSpectrum>& spectra) {
 
 }  // namespace
 
-Result<std::string> spectra_text(const std::vector<NamedSpectrum>& spectra, SpectrumFormat format) {
+Result<std::string> spectra_text(const std::vector<NamedSpectrum>& spectra, SpectrumFormat format,
+                                 std::optional<Quantity> quantity) {
   assert(!spectra.empty());
-  if (format == SpectrumFormat::cgats) return cgats(spectra);
+  if (format == SpectrumFormat::cgats) return cgats(spectra, quantity);
   if (spectra.size() > 1)
     return problem("a plain file holds one spectrum, not " + std::to_string(spectra.size()) +
                    ": write CGATS, or choose one");

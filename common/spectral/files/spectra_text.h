@@ -14,7 +14,9 @@ enum class SpectrumFormat { pairs, uniform, cgats };
 /// doubles; in CGATS with their names, in which a quote becomes ' and a control character ?.
 /// Errors: several spectra in a plain format; unequal steps in `uniform`; several in `cgats` that
 /// are not sampled alike.
-Result<std::string> spectra_text(const std::vector<NamedSpectrum>& spectra, SpectrumFormat format);
+/// CGATS says what they are (MEAS_TYPE); plain formats can't.
+Result<std::string> spectra_text(const std::vector<NamedSpectrum>& spectra, SpectrumFormat format,
+                                 std::optional<Quantity> quantity = {});
 
 /// What straight lines between the samples of `resampled` make of the integral of `original`, which
 /// outside its data is 0 or holds its end value.

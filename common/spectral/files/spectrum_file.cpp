@@ -232,9 +232,9 @@ Result<NamedSpectrum> select_entry(std::vector<NamedSpectrum> spectra, const std
     return problem("the file has several entries " + quoted(entry) +
                    "; choose one: " + choices_text(names, found));
   if (!found.empty()) return std::move(spectra[found.front()]);
-  const std::string hint = did_you_mean(entry, names);
-  return problem("the file has no entry " + quoted(entry) +
-                 (hint.empty() ? "; it has " + entry_choices(names) : hint));
+  Problem unknown = unknown_name("the file has no entry " + quoted(entry), entry, names);
+  if (unknown.meant.empty()) unknown.message += "; it has " + entry_choices(names);
+  return tl::unexpected(std::move(unknown));
 }
 
 }  // namespace metamer

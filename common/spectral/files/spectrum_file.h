@@ -25,6 +25,9 @@ enum class WavelengthUnit { nm, um };
 /// How the values of a reflectance or a transmittance are written.
 enum class Scale { one, percent };
 
+/// No paper reflects five times the light, fluorescent or not.
+inline constexpr double surely_percent = 5;
+
 /// A file of spectra, and what it says of them itself.
 struct SpectrumFile {
   std::string format;                       ///< "CGATS", "table", …: for people.

@@ -8,6 +8,24 @@
 namespace metamer::spectrum_text {
 namespace {
 
+std::string unusable(const std::string& quantity) {
+  return quantity + " is neither a reflectance, a transmittance nor a power";
+}
+
+/// Whether a heading is a unit and names nothing. "1" is one in a line of units.
+bool is_unit(std::string_view heading, bool among_units) {
+  if (unit_in(heading)) return true;
+  if (heading == "1" || heading == "[1]") return among_units;
+  return says_percent(heading) && heading.find_first_not_of("%[]()/ \t") == heading.npos;
+}
+
+/// Whether a line of headings from `first` on holds units alone.
+bool is_line_of_units(const Row& heading, std::size_t first) {
+  return std::all_of(
+      heading.begin() + static_cast<std::ptrdiff_t>(first), heading.end(),
+      [](const Token& cell) { return cell.text.empty() || is_unit(cell.text, true); });
+}
+
 /// A table whose lines are wavelengths, and whose columns are spectra.
 class Tall {
  public:
@@ -78,13 +96,23 @@ Tall::Done Tall::check_headings() const {
   for (std::size_t i = 0; i < first_; ++i) {
     const Lines::Line& line = lines_.all()[i];
     const std::string text = lower(line.text);
+    const Token begin{.text = {}, .line = line.number, .column = 1};
+    if (text.starts_with("yaxis mode")) {
+      const std::size_t after = line.text.find(':');
+      const std::string_view what = line.text.substr(std::min(after, line.text.size() - 1) + 1);
+      if (const std::string quantity = unusable_quantity(what); !quantity.empty())
+        return problem_at(file_, begin, unusable(quantity));
+    }
     if (text.find("xaxis mode") == std::string::npos) continue;
     if (text.find("wavelength") == std::string::npos)
-      return problem_at(file_, {.text = {}, .line = line.number, .column = 1},
-                        "wavelengths are needed, and the file has another axis");
+      return problem_at(file_, begin, "wavelengths are needed, and the file has another axis");
   }
   for (const Row& heading : headings_)
     for (std::size_t c = 0; c < heading.size(); ++c) {
+      if (c > position_ && says_wavelength(heading[c].text) &&
+          !says_wavelength(heading[position_].text))
+        return problem_at(file_, heading[c],
+                          "the column of the wavelengths has to stand before those of values");
       const std::string axis = c == position_ ? unusable_axis(heading[c].text) : "";
       if (!axis.empty())
         return problem_at(file_, heading[c], "wavelengths in nm or µm are needed, not " + axis);
@@ -93,14 +121,13 @@ Tall::Done Tall::check_headings() const {
             file_, heading[c],
             "a second column of wavelengths: a table has one; give each its own file");
       const std::string quantity = c > position_ ? unusable_quantity(heading[c].text) : "";
-      if (!quantity.empty())
-        return problem_at(file_, heading[c],
-                          quantity + " is neither a reflectance, a transmittance nor a power");
+      if (!quantity.empty()) return problem_at(file_, heading[c], unusable(quantity));
     }
   return {};
 }
 
-/// Where one column is in percents, all are: what does not say so is relative to 1 until here.
+/// Where one column is in percents, all are: what does not say so is relative to 1 until here, but
+/// where it can't be.
 Tall::Done Tall::share_scale() {
   std::vector<bool> percent(contents_.spectra.size(), says_percent_above(lines_, first_));
   for (const Row& heading : headings_)
@@ -116,9 +143,15 @@ Tall::Done Tall::share_scale() {
   }
   if (std::find(percent.begin(), percent.end(), true) == percent.end()) return {};
   contents_.scale = Scale::percent;
-  for (std::size_t c = 0; c < percent.size(); ++c)
-    if (!percent[c])
-      for (double& value : contents_.spectra[c].values) value *= 100;
+  for (std::size_t c = 0; c < percent.size(); ++c) {
+    std::vector<double>& values = contents_.spectra[c].values;
+    if (percent[c] || values.empty()) continue;
+    if (*std::max_element(values.begin(), values.end()) > surely_percent)
+      contents_.notes.push_back("column " + std::to_string(position_ + 2 + c) +
+                                " is taken for percents, as others say that they are");
+    else
+      for (double& value : values) value *= 100;
+  }
   return {};
 }
 
@@ -227,9 +260,8 @@ std::string Tall::name_of(std::size_t column) const {
   // The line nearest to the data that says more than a unit.
   for (std::size_t i = headings_.size(); i-- > 0;) {
     const std::string_view name = headings_[i][column].text;
-    const bool unit =
-        unit_in(name) || name == "1" || name == "[1]" || (says_percent(name) && name.size() <= 3);
-    if (!name.empty() && !unit) return std::string(name_in(name));
+    const bool among_units = is_line_of_units(headings_[i], position_ + 1);
+    if (!name.empty() && !is_unit(name, among_units)) return std::string(name_in(name));
   }
   return "column " + std::to_string(column + 1);
 }

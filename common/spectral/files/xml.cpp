@@ -144,8 +144,9 @@ Result<Contents> Document::read_cxf(const xml_node& root) {
     std::string_view name;
     Quantity quantity;
   };
-  static constexpr std::array<Kind, 3> kinds = {{{"ReflectanceSpectrum", Quantity::reflectance},
+  static constexpr std::array<Kind, 4> kinds = {{{"ReflectanceSpectrum", Quantity::reflectance},
                                                  {"TransmittanceSpectrum", Quantity::transmittance},
+                                                 {"EmissiveSpectrum", Quantity::emission},
                                                  {"EmissionSpectrum", Quantity::emission}}};
   for (const xml_node& object : all_named(root, "Object"))
     for (const Kind& kind : kinds)
