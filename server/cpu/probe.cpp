@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "server/cpu/look.h"
 #include "server/cpu/tracer.h"
 #include "server/render/thread_time.h"
 
@@ -83,6 +84,11 @@ TracedPixels TracingProbe::trace(const v1::Plan& plan, PixelRun run,
   pixels.seconds = std::min(first_round, thread_seconds() - start) /
                    static_cast<double>(std::max<std::size_t>(1, pixels.gathers.size()));
   return pixels;
+}
+
+std::optional<SeenPoint> TracingProbe::look(const v1::Plan& plan, std::uint32_t x,
+                                            std::uint32_t y) const {
+  return cpu::look(geometry_->scene(), geometry_->embree(), plan, x, y);
 }
 
 double TracingProbe::picture_seconds(const v1::Plan& plan, const Method&, double pixel_seconds,

@@ -36,6 +36,8 @@ class TracingProbe : public Probe {
   }
   TracedPixels trace(const v1::Plan& plan, PixelRun run, const std::atomic<bool>& stopped,
                      std::atomic<std::uint64_t>& work) const override;
+  std::optional<SeenPoint> look(const v1::Plan& plan, std::uint32_t x,
+                                std::uint32_t y) const override;
   double picture_seconds(const v1::Plan& plan, const Method& method, double pixel_seconds,
                          const std::atomic<bool>& stopped,
                          std::atomic<std::uint64_t>& work) override;

@@ -20,6 +20,10 @@ class DrawingProbe : public Probe {
                      std::atomic<std::uint64_t>& work) const override {
     return tracing_.trace(plan, run, stopped, work);
   }
+  std::optional<SeenPoint> look(const v1::Plan& plan, std::uint32_t x,
+                                std::uint32_t y) const override {
+    return tracing_.look(plan, x, y);
+  }
   double picture_seconds(const v1::Plan& plan, const Method& method, double pixel_seconds,
                          const std::atomic<bool>& stopped,
                          std::atomic<std::uint64_t>& work) override;

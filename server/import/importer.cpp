@@ -59,7 +59,9 @@ Problem problem_of(const v1::Problem& from) {
           .file = from.file(),
           .line = static_cast<int>(from.line()),
           .column = static_cast<int>(from.column()),
-          .message = from.message()};
+          .message = from.message(),
+          .was = from.was(),
+          .meant = from.meant()};
 }
 
 }  // namespace

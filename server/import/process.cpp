@@ -19,10 +19,10 @@
 #include "common/wire/blocking.h"
 #include "server/import/bounds.h"
 #include "server/import/messages.h"
+#include "server/sandbox/sandbox.h"
 #include "server/scene/mesh_import.h"
 #include "server/worker/assets.h"
 #include "server/worker/problems.h"
-#include "server/worker/sandbox.h"
 
 namespace metamer::import {
 namespace {
@@ -105,6 +105,7 @@ Result<Descriptor> read(const v1::ImportMesh& message, const std::filesystem::pa
   limit(RLIMIT_CPU, max_seconds(bytes));
   if (!sanitized) limit(RLIMIT_DATA, max_memory(bytes));
   limit(RLIMIT_FSIZE, max_memory(bytes));
+  sandbox::enter(store);
   v1::MeshImported message;
   const auto memory = read(request, store, *message.mutable_meshes());
   if (!memory) worker::set_problem(memory.error(), *message.mutable_problem());
@@ -166,7 +167,7 @@ bool wait_for_reader(int alive, int worker, std::chrono::seconds time) {
 }  // namespace
 
 void run_importer(Descriptor worker, const std::filesystem::path& store) {
-  worker::enter_sandbox(store);
+  sandbox::enter(store, {}, sandbox::Children::forked);
   std::signal(SIGCHLD, SIG_IGN);  // Guards are not waited for.
   while (auto socket = receive_descriptor(worker.get())) {
     const int guard = fork();

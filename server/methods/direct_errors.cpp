@@ -7,6 +7,7 @@
 #include "common/color/xyz.h"
 #include "common/transport/factor_values.h"
 #include "server/methods/scene_spectra.h"
+#include "server/transport/factor_rows.h"
 
 namespace metamer {
 namespace {
@@ -39,11 +40,6 @@ double difference(const Xyz& one, const Xyz& other, const Xyz& white) {
 }
 
 }  // namespace
-
-Xyz usable_white(const Xyz& white) {
-  const auto [least, most] = std::minmax_element(white.begin(), white.end());
-  return *least > 1e-6 * *most ? white : Xyz{1, 1, 1};
-}
 
 DirectColors::DirectColors(const RenderScene& scene, const Observer& observer) : scene_(scene) {
   const std::vector<double> nm = surface_edges(scene), ones(nm.size(), 1.0);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "common/color/xyz.h"
+#include "common/color/usable_white.h"
 #include "server/methods/method.h"
 
 namespace metamer {
@@ -40,8 +40,5 @@ class DirectColors {
   std::vector<Xyz> whites_;  ///< By light, of luminance 1; 0 where it is not seen.
   std::vector<Pair> pairs_;
 };
-
-/// The white that ΔE needs: equal energy where `white` has next to none of X, Y or Z.
-Xyz usable_white(const Xyz& white);
 
 }  // namespace metamer

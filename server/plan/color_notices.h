@@ -15,7 +15,7 @@ void notice_colors(const RenderScene& scene, const Method& method, v1::Plan& pla
 
 /// Adds a notice for each spectrum whose data end where it matters: an emission whose white would
 /// change by more than unnoticed_difference if it went on as it ends, and a property beyond whose
-/// data more than 1 % of what is seen of a light lies.
+/// data more than 1 % of what is seen of a light lies; and for an observer whose data end early.
 void notice_ends_of_data(const RenderScene& scene, v1::Plan& plan);
 
 }  // namespace metamer

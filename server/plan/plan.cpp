@@ -118,6 +118,24 @@ void notice_short_end(const v1::Method& method, const Wavelengths& wavelengths, 
   notice->set_message(text);
 }
 
+/// The side of tiles whose work is bounded: who waits for a turn need not wait for a tile for long,
+/// and a stop drops little of one that is half done.
+std::uint32_t bounded_tile_size(const v1::Settings& settings) {
+  std::uint32_t side = settings.tile_size();
+  while (side > 8 && std::uint64_t{side} * side * settings.spp() > max_tile_samples) side -= 8;
+  return side;
+}
+
+void notice_smaller_tiles(const v1::Settings& settings, v1::Plan& plan) {
+  if (plan.tile_size() == settings.tile_size()) return;
+  v1::Notice* notice = plan.add_notice();
+  notice->set_field("settings.tile_size");
+  notice->set_message("tiles of " + std::to_string(settings.tile_size()) + " pixels with " +
+                      std::to_string(settings.spp()) +
+                      " samples each take too long at a time: of " +
+                      std::to_string(plan.tile_size()));
+}
+
 /// Who has to have what the scene needs.
 std::vector<Supported> supporters(const v1::Method& method, const Capabilities& capabilities) {
   const auto* name = v1::Method::descriptor()->FindFieldByNumber(method.method_case());
@@ -142,7 +160,7 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
   v1::Plan plan;
   plan.set_width(settings.width());
   plan.set_height(settings.height());
-  plan.set_tile_size(settings.tile_size());
+  plan.set_tile_size(bounded_tile_size(settings));
   plan.set_spp(settings.spp());
   const std::vector<Need> needs = features_of(scene, settings);
   plan.set_depth(needed_depth(needs, settings.depth(), capabilities.features));
@@ -171,6 +189,7 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
     notice->set_field(told.field);
     notice->set_message(told.message);
   }
+  notice_smaller_tiles(settings, plan);
   notice_skipped_faces(scene, plan);
   notice_objects(scene, plan);
   notice_cut_observer(scene, plan);

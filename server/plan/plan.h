@@ -17,6 +17,9 @@ struct Capabilities {
   Features features = Features::all();  ///< and what it has.
 };
 
+/// Of one tile: about a second's work of a thread.
+inline constexpr std::uint64_t max_tile_samples = std::uint64_t{1} << 20;
+
 /// What the scene needs and what will be done, from the compiled scene and its settings
 /// (defaults filled in, validated). A pure function; the plan is not changed afterwards.
 v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,

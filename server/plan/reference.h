@@ -4,9 +4,7 @@
 
 #include "common/color/xyz.h"
 #include "common/spectral/cie.h"
-#include "common/transport/factor_values.h"
-#include "server/scene/render_scene.h"
-#include "server/transport/gather.h"
+#include "server/plan/spectral_fold.h"
 
 namespace metamer {
 
@@ -30,18 +28,19 @@ class Reference {
   /// or Z.
   const Xyz& white() const { return white_; }
 
+  /// By what each light's emission is multiplied for its luminance, E[3.2-4].
+  const std::vector<double>& scales() const { return scales_; }
+
  private:
   Reference(const RenderScene& scene, const Observer& observer, const Wavelengths& wavelengths);
 
-  using Values = std::vector<double>;
-  struct Fold;
+  using Values = SpectralFold::Values;
+  std::vector<Values> light_powers(const RenderScene& scene, const std::vector<double>& nm);
 
   ObserverWeights observer_;
-  std::size_t bands_;
-  std::vector<Values> lights_;    ///< With their luminance, E[3.2-4].
-  Values carriers_;               ///< Of the pixel under way, chain by chain.
-  FactorValues<double> factors_;  ///< At the cells' wavelengths.
+  Values scales_;
   Xyz white_{1, 1, 1};
+  SpectralFold fold_;  ///< At the cells' wavelengths.
 };
 
 }  // namespace metamer

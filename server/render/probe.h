@@ -1,7 +1,9 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "metamer/v1/plan.pb.h"
@@ -24,13 +26,21 @@ struct TracedPixels {
   double seconds = 0;  ///< A pixel, on one thread of the CPU that does nothing else.
 };
 
+/// What the eye meets first in the middle of a pixel; in camera space.
+struct SeenPoint {
+  std::uint32_t object;           ///< Index into RenderScene::objects.
+  Eigen::Vector3d place, normal;  ///< The normal is unit and towards the eye.
+  Gather eye;                     ///< What comes from there to the eye, by mirrors too.
+  std::vector<double> light;      ///< Of each light, what falls there by its cosine; 0: not seen.
+};
+
 /// A scene by one backend, for the choice of a method: what some of its pixels receive, and what a
-/// picture would cost. Belongs to one thread.
+/// picture would cost. Also for who points at a pixel. Belongs to one thread.
 class Probe {
  public:
   virtual ~Probe() = default;
 
-  /// Builds what trace() needs, the first time; as Renderer::prepare.
+  /// Builds what trace() and look() need, the first time; as Renderer::prepare.
   virtual bool prepare(const std::atomic<bool>& cancelled) = 0;
 
   /// The pixels of the run, by the CPU's tracer; with few samples also those that share a packet
@@ -38,6 +48,10 @@ class Probe {
   /// `stopped`; `work` counts pixels.
   virtual TracedPixels trace(const v1::Plan& plan, PixelRun run, const std::atomic<bool>& stopped,
                              std::atomic<std::uint64_t>& work) const = 0;
+
+  /// In a pixel of the plan's picture, by the CPU's tracer; nothing: there is nothing to be seen.
+  virtual std::optional<SeenPoint> look(const v1::Plan& plan, std::uint32_t x,
+                                        std::uint32_t y) const = 0;
 
   /// Seconds that the plan's picture takes by this method, where one thread of the CPU makes a
   /// pixel by it in `pixel_seconds`. Infinite where it can't be drawn.

@@ -1,20 +1,77 @@
 #include "server/service/service.h"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "common/digest.h"
+#include "server/service/ops/usage.h"
+#include "server/service/store/schema.h"
+
 namespace metamer::service {
 
 namespace {
 
+/// With what depends on the machine.
+Limits completed(Limits limits) {
+  const auto pages = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES));
+  if (limits.memory == 0)
+    limits.memory = pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) / 4 * 3;
+  return limits;
+}
+
 ServiceOptions completed(ServiceOptions options) {
+  if (!options.state.empty() && options.store.empty()) options.store = options.state / "assets";
   std::error_code ignored;
   const auto absolute = std::filesystem::absolute(options.store, ignored);
   if (!ignored) options.store = absolute;
   options.worker.command.store = options.store;
+  options.limits = completed(options.limits);
   return options;
 }
 
-Supervisor::Options for_backend(Supervisor::Options options, v1::Backend backend) {
-  options.command.backend = backend;
+Supervisor::Options for_lane(Supervisor::Options options, const Lane& lane) {
+  options.lane = lane;
   return options;
+}
+
+constexpr std::chrono::seconds keep_again_interval{1};
+
+/// Tells whether a worker is the one that rendered a job's tiles: two programs may differ in the
+/// last bit. Empty where it can't be read.
+std::string digest_of_program(const std::filesystem::path& program) {
+  std::ifstream file(program, std::ios::binary);
+  DigestStream sum;
+  std::vector<char> piece(1 << 20);
+  while (file.read(piece.data(), static_cast<std::streamsize>(piece.size())) || file.gcount() > 0)
+    sum.update({piece.data(), static_cast<std::size_t>(file.gcount())});
+  return to_hex(sum.finish());
+}
+
+bool hold_all(const v1::Submit& submit, AssetHolds& holds) {
+  const auto add = [&](const std::string& bytes) {
+    const auto digest = digest_from_bytes(bytes);
+    return digest && holds.add(*digest);
+  };
+  return add(submit.scene_sha256()) &&
+         std::all_of(submit.asset().begin(), submit.asset().end(),
+                     [&](const v1::AssetName& asset) { return add(asset.sha256()); });
+}
+
+/// A job of which the number alone is left.
+v1::JobRecord lost_record(std::uint64_t id) {
+  v1::JobRecord record;
+  record.set_job_id(id);
+  record.set_state(v1::FAILED);
+  record.set_reason("its record in the state is damaged");
+  v1::JobEvent& last = *record.add_event();
+  last.set_sequence(1);
+  last.mutable_failed()->set_kind(v1::Failed::SERVER);
+  last.mutable_failed()->set_reason(record.reason());
+  record.set_next_sequence(2);
+  return record;
 }
 
 }  // namespace
@@ -22,29 +79,144 @@ Supervisor::Options for_backend(Supervisor::Options options, v1::Backend backend
 Service::Service(asio::io_context& context, ServiceOptions options)
     : context_(context),
       options_(completed(std::move(options))),
-      queue_(options_.keep_bytes, options_.first_job_id),
-      cpu_(context.get_executor(), for_backend(options_.worker, v1::CPU), queue_, views_),
-      gl_(context.get_executor(), for_backend(options_.worker, v1::GL), queue_, views_),
+      keep_again_(context),
+      queue_(options_.keep_bytes, options_.first_job_id, options_.limits),
+      views_(options_.limits),
+      cpu_(context.get_executor(), for_lane(options_.worker, cpu_jobs), queue_, views_),
+      cpu_views_(context.get_executor(), for_lane(options_.worker, cpu_views), queue_, views_),
+      gl_(context.get_executor(), for_lane(options_.worker, gl_lane), queue_, views_),
       listener_(context.get_executor()) {}
 
+/// The table of users in the state, by a connection of its own: it is read whenever somebody comes,
+/// and what `metamerd user` writes meanwhile is seen at once.
+Result<void> Service::open_users() {
+  if (state_) {
+    try {
+      users_database_.emplace(options_.state / database_name);
+      users_.emplace(*users_database_);
+    } catch (const DatabaseError& error) {
+      return problem("can't open " + (options_.state / database_name).string() + ": " +
+                     error.what());
+    }
+  }
+  logins_.emplace(users_ ? &*users_ : nullptr, options_.open);
+  return {};
+}
+
 Result<void> Service::start() {
+  if (!options_.state.empty()) {
+    auto state = JobStore::open(context_.get_executor(), options_.state);
+    if (!state) return tl::unexpected(state.error());
+    state_ = *std::move(state);
+    build_ = digest_of_program(options_.worker.command.program);
+    queue_.keep_in(*state_, build_);
+  }
+  if (auto opened = open_users(); !opened) return opened;
   auto store = AssetStore::open(options_.store, options_.store_bytes);
   if (!store) return tl::unexpected(store.error());
   store_ = *std::move(store);
   service_context_ = std::make_unique<ServiceContext>(
-      ServiceContext{*store_, queue_, views_, cpu_, gl_, [this] { return listener_.sessions(); },
-                     options_.patience});
+      ServiceContext{*store_, queue_, views_, cpu_, cpu_views_, gl_,
+                     [this] { return listener_.sessions(); }, options_.limits, options_.patience,
+                     *logins_, Accounts(users_ ? &*users_ : nullptr), state_.get()});
+  service_context_->tell_usage = [this](const Identity& who, v1::Info& info) {
+    add_users(listener_, queue_, who.is_admin() ? "" : who.user, info);
+    if (!who.is_admin()) return;
+    add_sessions(listener_, info);
+    add_metrics(counts(), info);
+  };
+  if (state_) {
+    restore_jobs();
+    asio::co_spawn(context_, keep_again(), asio::detached);
+  }
   for (const wire::Endpoint& endpoint : options_.listen) {
-    if (auto opened = listener_.open(endpoint); !opened) return opened;
+    if (auto opened = listener_.open(endpoint, options_.listening); !opened) return opened;
   }
   cpu_.start();
   listener_.start(*service_context_);
   return {};
 }
 
+void Service::change_limits(const Limits& limits, const Patience& patience) {
+  options_.limits = completed(limits);
+  options_.patience = patience;
+}
+
+/// What was kept, as it was; what ran or waited is queued again.
+void Service::restore_jobs() {
+  std::vector<JobQueue::JobPtr> ended;
+  for (JobStore::Kept& kept : state_->take_kept()) {
+    const AccountPtr owner =
+        kept.user.empty() ? nullptr : service_context_->accounts.named(kept.user);
+    if (!kept.record) kept.record = lost_record(kept.id);
+    AssetHolds holds(*store_, owner);
+    const bool has_assets = is_end(kept.record->state()) || hold_all(kept.record->submit(), holds);
+    const auto job =
+        std::make_shared<Job>(*std::move(kept.record), std::move(holds), owner, *state_);
+    if (!job->ended() && !has_assets)
+      job->fail(v1::Failed::SERVER, "the server has lost its assets");
+    if (!job->ended()) (void)job->go_on(build_, queue_.queued());
+    if (job->ended())
+      ended.push_back(job);
+    else
+      queue_.restore(job);
+  }
+  std::sort(ended.begin(), ended.end(),
+            [](const auto& a, const auto& b) { return a->ended_at() < b->ended_at(); });
+  for (const auto& job : ended) queue_.restore(job);
+}
+
+/// A disk that was full may have room by now.
+asio::awaitable<void> Service::keep_again() {
+  for (;;) {
+    keep_again_.expires_after(keep_again_interval);
+    const auto [error] = co_await keep_again_.async_wait(asio::as_tuple(asio::use_awaitable));
+    if (error) co_return;
+    queue_.keep_again();
+  }
+}
+
+Counts Service::counts() {
+  Counts all;
+  all.jobs = queue_.counts();
+  all.traffic = service_context_->traffic;
+  all.uptime =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - service_context_->started)
+          .count();
+  all.sessions = listener_.sessions();
+  all.views = views_.size();
+  all.jobs_queued = queue_.queued();
+  all.jobs_running = queue_.running();
+  all.store_bytes = store_->bytes();
+  all.state_bytes = state_ ? queue_.picture_bytes() : 0;
+  for (const Supervisor* worker : {&cpu_, &cpu_views_, &gl_})
+    all.workers.push_back({worker->lane(), worker->starts(), worker->losses()});
+  return all;
+}
+
+std::string Service::state_line() const {
+  return fmt::format("{} running, {} queued, {} sessions", queue_.running(), queue_.queued(),
+                     listener_.sessions());
+}
+
+asio::awaitable<void> Service::drain(std::chrono::milliseconds limit) {
+  if (service_context_) service_context_->closing = true;
+  for (const v1::Backend backend : {v1::CPU, v1::GL}) views_.end(backend, "the server ends");
+  co_await listener_.drain(
+      state_ ? "the server ends; the job goes on when it is back" : "the server ends", limit);
+}
+
+Result<void> Service::reload_certificates() {
+  if (options_.listening.tls.certificate.empty()) return {};
+  return listener_.reload_certificates(options_.listening);
+}
+
 void Service::stop() {
+  queue_.set_aside();
+  keep_again_.cancel();
   listener_.stop();
   cpu_.stop();
+  cpu_views_.stop();
   gl_.stop();
 }
 

@@ -7,9 +7,11 @@
 #include <fstream>
 #include <map>
 #include <memory>
+#include <set>
 
 #include "common/digest.h"
 #include "common/scene/limits.h"
+#include "common/scene/names.h"
 
 namespace metamer::worker {
 
@@ -68,6 +70,14 @@ AssetReader stored_assets(const AssetNames& names, const std::filesystem::path& 
   };
 }
 
+std::string mesh_file_key(const std::string& file, const AssetNames& names) {
+  const bool names_others = has_extension(file, ".gltf");
+  std::string key = file + '\0';
+  for (const v1::AssetName& asset : names)
+    if (names_others || asset.name() == file) key += asset.name() + '\0' + asset.sha256();
+  return key;
+}
+
 std::string objects_key(const v1::Scene& scene, const RenderScene& compiled,
                         const AssetNames& names) {
   v1::Scene objects;
@@ -75,9 +85,20 @@ std::string objects_key(const v1::Scene& scene, const RenderScene& compiled,
   objects.mutable_settings()->set_shading(scene.settings().shading());
   std::string key = objects.SerializeAsString();
   // Objects know their material by its place in the list, and have tangents where any one asks.
-  for (const RenderMaterial& material : compiled.materials)
-    key += material.name + (material.anisotropic() ? '\1' : '\0');
-  for (const v1::AssetName& asset : names) key += asset.name() + asset.sha256();
+  std::map<std::string, std::size_t> places;
+  bool tangents = false;
+  for (std::size_t i = 0; i < compiled.materials.size(); ++i) {
+    places[compiled.materials[i].name] = i;
+    tangents |= compiled.materials[i].anisotropic();
+  }
+  key += tangents ? '\1' : '\0';
+  std::set<std::string> files;
+  for (const v1::Object& object : scene.object()) {
+    const std::size_t place = places.at(object.material());
+    key += std::to_string(place) + (compiled.materials[place].anisotropic() ? 'a' : 'i');
+    if (object.has_mesh() && files.insert(object.mesh().file()).second)
+      key += mesh_file_key(object.mesh().file(), names);
+  }
   return key;
 }
 

@@ -22,8 +22,13 @@ using AssetNames = google::protobuf::RepeatedPtrField<v1::AssetName>;
 /// Assets by the names that a scene uses.
 AssetReader stored_assets(const AssetNames& names, const std::filesystem::path& store);
 
+/// Which bytes a mesh file is: with its own digest, of a .gltf those of all `names`, as it may name
+/// others.
+std::string mesh_file_key(const std::string& file, const AssetNames& names);
+
 /// All that the objects of a scene depend on, `compiled` being the scene as a backend has it: not
-/// on lights, cameras and spectra, nor on settings but the shading.
+/// on lights, cameras and spectra, nor on settings but the shading, nor on materials but their
+/// places in the list. `names`: those that objects may be made of.
 std::string objects_key(const v1::Scene& scene, const RenderScene& compiled,
                         const AssetNames& names);
 

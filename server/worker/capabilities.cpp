@@ -1,6 +1,8 @@
 #include "server/worker/capabilities.h"
 
 #include "common/models/registry.h"
+#include "common/spectral/cie.h"
+#include "common/spectral/optical_constants.h"
 #include "metamer/v1/scene.pb.h"
 #include "server/methods/method.h"
 
@@ -31,6 +33,26 @@ void set(const std::string& name, const Features& features, v1::FeatureSet& to) 
     if (features.has(static_cast<Feature>(i))) to.add_feature(feature_names()[i]);
 }
 
+void add_choice(const std::string& field, const std::vector<std::string>& words,
+                v1::Capabilities& to) {
+  v1::Choice& choice = *to.add_choice();
+  choice.set_field(field);
+  choice.mutable_word()->Assign(words.begin(), words.end());
+}
+
+std::vector<std::string> names_of(const auto& table) {
+  std::vector<std::string> names;
+  for (const auto& one : table) names.emplace_back(one.name);
+  return names;
+}
+
+/// The words of the schema's strings, by message and field.
+void add_choices(v1::Capabilities& to) {
+  add_choice("spectrum.standard", cie::illuminant_names(), to);
+  add_choice("dielectric.medium", names_of(media()), to);
+  add_choice("conductor.metal", names_of(metals()), to);
+}
+
 }  // namespace
 
 v1::Capabilities capabilities(const WorkerOptions& options,
@@ -55,6 +77,7 @@ v1::Capabilities capabilities(const WorkerOptions& options,
   using models::Kind;
   for (const Kind kind : {Kind::model, Kind::diffuse, Kind::slope, Kind::attenuation})
     for (const models::Entry& entry : models::registry(kind)) add(entry, result);
+  add_choices(result);
   return result;
 }
 

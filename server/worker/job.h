@@ -15,6 +15,7 @@
 #include "server/plan/plan.h"
 #include "server/render/renderer.h"
 #include "server/scene/render_scene.h"
+#include "server/worker/job_messages.h"
 #include "server/worker/link.h"
 #include "server/worker/view_turns.h"
 
@@ -52,31 +53,32 @@ class Job {
       ViewTurns& view_turns);
   ~Job();
 
-  /// Parses, compiles and plans; sends JobPlanned, Failed or JobStopped.
+  /// Parses, compiles and plans; sends JobPlanned, Failed or JobStopped. Where the message says
+  /// prepare, then builds what the plan needs; sends Prepared, Failed or JobStopped.
   void compile(const v1::CompileJob& message);
 
-  /// Builds what the plan needs (the first time), renders the tiles in their order; sends TileDone
-  /// for each, then, where that is asked for, holds the whole picture against the reference; sends
-  /// JobDone, Failed or JobStopped. Only after a JobPlanned; any number of times.
+  /// Builds what the plan needs and sends Prepared (the first time), renders the tiles in their
+  /// order; sends TileDone for each, then, where that is asked for, holds the whole picture against
+  /// the reference; sends JobDone, Failed or JobStopped. Only after a JobPlanned; any number of
+  /// times.
   void render(const v1::RenderTiles& message);
 
   /// Makes the running step end soon with JobStopped.
   void stop() { stopped_ = true; }
 
   /// Says JobStopped for a job that is between two steps.
-  void send_stopped();
+  void send_stopped() { messages_.stopped(); }
 
-  std::uint64_t id() const { return id_; }
+  std::uint64_t id() const { return messages_.id(); }
   bool stopped() const { return stopped_; }
   /// True once JobDone, Failed or JobStopped has been sent.
-  bool ended() const { return ended_; }
+  bool ended() const { return messages_.ended(); }
 
  private:
-  void send_problems(const std::vector<Problem>& problems);
-  void send_failure(v1::Failed::Kind kind, const std::string& reason);
-  v1::WorkerEnvelope envelope() const;
-  void send_tile(const v1::TileRect& tile, std::uint64_t rays);
-  void send_last(const v1::WorkerEnvelope& message);
+  using Clock = std::chrono::steady_clock;
+  static double since(Clock::time_point start);
+
+  bool succeeds(const Result<void>& result);
   bool make_plan(const v1::CompileJob& message);
   bool build(const std::function<bool()>& prepare);
   bool plan_verification();
@@ -87,28 +89,27 @@ class Job {
   Result<void> conclude(const Film& film, v1::JobDone& done);
   void measure_promise(v1::JobDone& done);
   Result<void> verify(const Film& film, v1::JobDone& done);
-  bool send_factors(const v1::TileRect* tile, const std::string& bytes);
   void take(const DrawnTile& drawn);
 
-  std::uint64_t id_;
+  JobMessages messages_;
   const WorkerOptions& options_;
-  Link& link_;
   Work& work_;
   ViewTurns& view_turns_;
   std::atomic<bool> stopped_ = false;
   std::atomic<bool> too_many_factors_ = false;  ///< The picture goes on without.
   bool keep_factors_ = false;
-  std::atomic<bool> ended_ = false;
   std::unique_ptr<RenderScene> scene_;  // outlives what refers to it
   std::unique_ptr<Method> method_;
   std::unique_ptr<Renderer> renderer_;
   std::unique_ptr<Probe> probe_;  ///< Of the renderer.
+  bool built_ = false;            ///< Its hierarchy, or it is being built.
   bool prepared_ = false;         ///< The renderer knows plan and method.
-  v1::Settings settings_;         ///< With the defaults filled in.
+  bool told_prepared_ = false;
+  v1::Settings settings_;  ///< With the defaults filled in.
   v1::Plan plan_;
   v1::Timing timing_;
   double planned_setup_ = 0;  ///< Of its acceleration and prepare, what planning took.
-  std::chrono::steady_clock::time_point begun_;
+  Clock::time_point begun_;
 };
 
 }  // namespace metamer::worker

@@ -51,7 +51,10 @@ bool Lane::take(const v1::WorkerEnvelope& message) {
     case v1::WorkerEnvelope::kUpdateView:
     case v1::WorkerEnvelope::kNextFrame:
     case v1::WorkerEnvelope::kCloseView:
+    case v1::WorkerEnvelope::kProbe:
       return views_.take(message);
+    case v1::WorkerEnvelope::kPreparing:
+    case v1::WorkerEnvelope::kPrepared:
     case v1::WorkerEnvelope::kReady:
     case v1::WorkerEnvelope::kHeartbeat:
     case v1::WorkerEnvelope::kPlanned:

@@ -2,6 +2,7 @@
 // memory as descriptor 4.
 
 #include <fcntl.h>
+#include <sys/resource.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -12,10 +13,10 @@
 
 #include "server/cpu/renderer.h"
 #include "server/gl/renderer.h"
+#include "server/sandbox/sandbox.h"
 #include "server/worker/capabilities.h"
 #include "server/worker/heartbeat.h"
 #include "server/worker/lane.h"
-#include "server/worker/sandbox.h"
 
 namespace {
 
@@ -23,19 +24,26 @@ constexpr int link_descriptor = 3;
 constexpr int film_descriptor = 4;
 
 constexpr const char* usage =
-    "usage: metamer-worker --store DIR --threads N [--gl-device auto|reference|N]\n"
+    "usage: metamer-worker --store DIR --threads N [--gl-device auto|reference|N] [--nice N] "
+    "[--unconfined yes]\n"
     "Started by metamerd; descriptor 3 is its socket, descriptor 4 the picture's memory.\n";
+
+/// Tells the daemon why this worker never will be ready.
+void say_failed(const std::string& reason, metamer::worker::Link& link) {
+  metamer::v1::WorkerEnvelope failed;
+  failed.mutable_failed()->set_kind(metamer::v1::Failed::SERVER);
+  failed.mutable_failed()->set_reason(reason);
+  link.send(failed);
+}
 
 /// Opens the GL device, with all files that its driver wants, and frees it for the lane's thread.
 std::unique_ptr<metamer::gl::Device> open_device(const std::string& which,
                                                  metamer::worker::Link& link) {
+  metamer::sandbox::confine_driver();
   setenv("MESA_SHADER_CACHE_DISABLE", "1", 0);  // Programs are kept in memory; no files in $HOME.
   auto device = metamer::gl::Device::create(which);
   if (!device) {
-    metamer::v1::WorkerEnvelope failed;
-    failed.mutable_failed()->set_kind(metamer::v1::Failed::SERVER);
-    failed.mutable_failed()->set_reason(device.error().message);
-    link.send(failed);
+    say_failed(device.error().message, link);
     return nullptr;
   }
   device->context().release();
@@ -43,7 +51,7 @@ std::unique_ptr<metamer::gl::Device> open_device(const std::string& which,
 }
 
 /// Exit codes: 0 the daemon is gone, 1 this machine or this daemon can't run it, 2 usage.
-int run(metamer::worker::WorkerOptions options, const std::string& gl_device) {
+int run(metamer::worker::WorkerOptions options, const std::string& gl_device, bool unconfined) {
 #ifdef __AVX2__
   if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) {
     std::fprintf(stderr, "metamer-worker: this processor lacks AVX2 and FMA\n");
@@ -68,14 +76,21 @@ int run(metamer::worker::WorkerOptions options, const std::string& gl_device) {
     backend = metamer::gl::make_backend(*device, options.threads);
   }
   options.backend = backend.get();
-  const std::string sandbox = metamer::worker::enter_sandbox(options.store);
+  const metamer::sandbox::Confinement confinement =
+      metamer::sandbox::enter(options.store, metamer::sandbox::open_devices(film_descriptor));
+  if (!confinement.lacks.empty() && !unconfined) {
+    say_failed("the system can't confine a worker (" + confinement.lacks +
+                   "); metamerd --unconfined starts it all the same",
+               link);
+    return 1;
+  }
   metamer::worker::Work work = 0;
   std::atomic<bool> busy = false;
 
   metamer::v1::WorkerEnvelope ready;
   *ready.mutable_ready()->mutable_capabilities() = metamer::worker::capabilities(
       options, {{"cpu", metamer::cpu::features}, {"gl", metamer::gl::features}});
-  ready.mutable_ready()->set_sandbox(sandbox);
+  ready.mutable_ready()->set_sandbox(metamer::sandbox::describe(confinement));
   if (!link.send(ready)) return 0;
 
   const metamer::worker::Heartbeat heartbeat(link, work, busy);
@@ -95,9 +110,15 @@ int main(int count, char** arguments) {
   metamer::worker::WorkerOptions options{
       .store = {}, .threads = 0, .backend = nullptr, .film_descriptor = film_descriptor};
   std::string gl_device;
+  bool unconfined = false;
   for (int i = 1; i + 1 < count; i += 2) {
     if (std::strcmp(arguments[i], "--store") == 0) options.store = arguments[i + 1];
     if (std::strcmp(arguments[i], "--gl-device") == 0) gl_device = arguments[i + 1];
+    if (std::strcmp(arguments[i], "--unconfined") == 0) unconfined = true;
+    // Before there is a thread or the importer, which are as nice as this.
+    if (std::strcmp(arguments[i], "--nice") == 0 &&
+        setpriority(PRIO_PROCESS, 0, std::atoi(arguments[i + 1])) != 0)
+      std::perror("metamer-worker: --nice");
     if (std::strcmp(arguments[i], "--threads") == 0)
       options.threads = static_cast<unsigned>(std::strtoul(arguments[i + 1], nullptr, 10));
   }
@@ -110,5 +131,5 @@ int main(int count, char** arguments) {
   // Without a daemon there is nothing to save and nobody to wait for: leave without the libraries'
   // farewells. (A leak checker would hang in its own: the sandbox keeps it from looking at
   // threads.)
-  std::_Exit(run(options, gl_device));
+  std::_Exit(run(options, gl_device, unconfined));
 }

@@ -26,6 +26,12 @@ void set_problem(const Problem& problem, v1::Problem& to) {
   to.set_line(static_cast<std::uint32_t>(problem.line));
   to.set_column(static_cast<std::uint32_t>(problem.column));
   to.set_message(shown(problem.message, 1000));
+  // Whole or not at all: one is put in the other's place.
+  constexpr std::size_t most = 500;
+  const auto fits = [&](const std::string& text) { return text.size() <= most && is_utf8(text); };
+  if (!fits(problem.was) || !fits(problem.meant)) return;
+  to.set_was(problem.was);
+  to.set_meant(problem.meant);
 }
 
 void add_problems(const std::vector<Problem>& problems,

@@ -1,5 +1,6 @@
 #include "server/worker/scene_import.h"
 
+#include <chrono>
 #include <utility>
 
 #include "server/scene/compile.h"
@@ -7,14 +8,18 @@
 namespace metamer::worker {
 namespace {
 
+using Clock = std::chrono::steady_clock;
 using Outcome = tl::expected<ImportedScene, std::vector<Problem>>;
 
-Outcome import(v1::Scene message, AssetNames names, int of_objects, const WorkerOptions& options,
-               const std::atomic<bool>& cancelled) {
+Outcome import(v1::Scene message, AssetNames names, int of_objects, KnownMeshes meshes,
+               const WorkerOptions& options, const std::atomic<bool>& cancelled) {
+  const auto start = Clock::now();
   auto compiled = compile_scene(message, stored_assets(names, options.store),
-                                options.meshes(names, cancelled), cancelled);
+                                meshes.reusing(options.meshes(names, cancelled), names), cancelled);
   if (!compiled) return tl::unexpected(std::move(compiled.error()));
   ImportedScene result;
+  const auto compiled_at = Clock::now();
+  result.timing.set_compile(std::chrono::duration<double>(compiled_at - start).count());
   result.space = CameraSpace::of(*compiled);
   result.objects_key = objects_key(message, *compiled, {names.begin(), names.begin() + of_objects});
   result.scene = std::make_unique<RenderScene>(std::move(*compiled));
@@ -22,29 +27,33 @@ Outcome import(v1::Scene message, AssetNames names, int of_objects, const Worker
   result.renderer =
       options.backend->make_renderer(*result.scene, geometry_key(result.objects_key, result.space));
   if (!result.renderer->prepare(cancelled)) return tl::unexpected(std::vector<Problem>());
+  result.timing.set_acceleration(std::chrono::duration<double>(Clock::now() - compiled_at).count());
   result.message = std::move(message);
   result.names = std::move(names);
+  result.of_objects = of_objects;
+  result.meshes = std::move(meshes).asked();
   return result;
 }
 
 }  // namespace
 
-SceneImport::SceneImport(v1::Scene message, AssetNames names, int of_objects,
+SceneImport::SceneImport(v1::Scene message, AssetNames names, int of_objects, KnownMeshes meshes,
                          const WorkerOptions& options, std::function<void()> done) {
-  outcome_ =
-      std::async(std::launch::async, [this, message = std::move(message), names = std::move(names),
-                                      of_objects, &options, done = std::move(done)]() mutable {
-        // Also where something is thrown.
-        struct Last {
-          std::atomic<bool>& is_done;
-          const std::function<void()>& tell;
-          ~Last() {
-            is_done = true;
-            tell();
-          }
-        } const last{done_, done};
-        return import(std::move(message), std::move(names), of_objects, options, cancelled_);
-      });
+  outcome_ = std::async(std::launch::async,
+                        [this, message = std::move(message), names = std::move(names), of_objects,
+                         meshes = std::move(meshes), &options, done = std::move(done)]() mutable {
+                          // Also where something is thrown.
+                          struct Last {
+                            std::atomic<bool>& is_done;
+                            const std::function<void()>& tell;
+                            ~Last() {
+                              is_done = true;
+                              tell();
+                            }
+                          } const last{done_, done};
+                          return import(std::move(message), std::move(names), of_objects,
+                                        std::move(meshes), options, cancelled_);
+                        });
 }
 
 SceneImport::~SceneImport() {

@@ -12,6 +12,7 @@
 #include "server/scene/camera_space.h"
 #include "server/worker/assets.h"
 #include "server/worker/job.h"
+#include "server/worker/known_meshes.h"
 
 namespace metamer::worker {
 
@@ -19,19 +20,22 @@ namespace metamer::worker {
 struct ImportedScene {
   v1::Scene message;
   AssetNames names;
+  int of_objects = 0;                  ///< So many of them: objects may be made of these.
+  KnownMeshes meshes;                  ///< Of its files.
   std::unique_ptr<RenderScene> scene;  ///< In camera space.
   CameraSpace space;
   std::string objects_key;
   std::unique_ptr<Renderer> renderer;  ///< Of that scene; prepared.
+  v1::Timing timing;                   ///< Its compile and acceleration.
 };
 
 /// Compiles a scene on a thread of its own: meshes may take long, and others want the lane's.
 class SceneImport {
  public:
-  /// The first `of_objects` of the names are those that objects may be made of. Calls `done` from
-  /// that thread.
-  SceneImport(v1::Scene message, AssetNames names, int of_objects, const WorkerOptions& options,
-              std::function<void()> done);
+  /// The first `of_objects` of the names are those that objects may be made of; of `meshes` those
+  /// that are needed are not read again. Calls `done` from that thread.
+  SceneImport(v1::Scene message, AssetNames names, int of_objects, KnownMeshes meshes,
+              const WorkerOptions& options, std::function<void()> done);
   ~SceneImport();  ///< Waits until it is done.
 
   void cancel() { cancelled_ = true; }

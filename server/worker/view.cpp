@@ -1,6 +1,7 @@
 #include "server/worker/view.h"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <numeric>
 #include <utility>
@@ -62,10 +63,12 @@ bool View::open(const v1::OpenView& message) {
 
 bool View::turn() {
   if (scene_.is_importing()) return adopt();
-  // The first frame of a revision is drawn to its end, or a stream of updates would show nothing.
-  const bool first = under_way_ && drawn_ == 0;
-  if (update_ && !first && !change(*std::exchange(update_, std::nullopt))) return false;
-  return scene_.is_importing() || !has_frame() || draw();
+  if (update_ && !is_first_under_way() && !change(*std::exchange(update_, std::nullopt)))
+    return false;
+  if (scene_.is_importing()) return true;
+  // While the first frame is drawn there is no newest one to speak of.
+  if (!is_first_under_way()) answer_probes();
+  return !has_frame() || draw();
 }
 
 bool View::adopt() {
@@ -76,6 +79,8 @@ bool View::adopt() {
     send_closed(v1::Failed::BAD_INPUT, "the scene has problems", imported.error());
     return false;
   }
+  timing_ = imported->timing;
+  view_probe_.forget_scene();
   scene_.adopt(std::move(*imported));
   revision_ = asked_revision_;
   return prepare();
@@ -85,6 +90,8 @@ bool View::change(const v1::UpdateView& message) {
   begun_ = Clock::now();
   asked_revision_ = message.revision();
   const auto changed = scene_.change(message);
+  timing_.Clear();
+  timing_.set_compile(seconds_since(begun_));
   ++work_;
   if (!changed) return refuse(asked_revision_, changed.error());
   if (*changed == ViewScene::Change::objects) return true;
@@ -103,19 +110,23 @@ bool View::prepare() {
     send_closed(v1::Failed::BAD_INPUT, refused.front().message, refused);
     return false;
   }
+  const auto start = Clock::now();
   plan_ = make_plan(scene_.scene(), scene_.settings(), options_.plan_capabilities());
   auto method = make_method(plan_, scene_.scene());
   notice_colors(scene_.scene(), *method, plan_);
   notice_ends_of_data(scene_.scene(), plan_);
   auto developer = Developer::make(plan_);
+  timing_.set_prepare(seconds_since(start));
   const Result<void> done = developer ? scene_.renderer().change(plan_, *method, no_end)
                                       : tl::unexpected(developer.error());
   if (!done) {
     send_closed(v1::Failed::SERVER, done.error().message);
     return false;
   }
+  scene_.renderer().report(timing_);
   method_ = std::move(method);
   developer_ = *developer;
+  view_probe_.forget_appearance();
   pattern_ = spread(sample_pattern(plan_.spp()));
   begin_anew();
   ++work_;
@@ -125,6 +136,7 @@ bool View::prepare() {
 
 void View::begin_anew() {
   drawn_ = 0;
+  is_shown_ = xyz_sent_ = false;
   under_way_ = false;
   frame_seconds_ = 0;
   coarse_ = sample_seconds_ > coarse_above;
@@ -132,6 +144,7 @@ void View::begin_anew() {
 
 /// The first sample goes right into the sum, any other is added to it.
 bool View::draw() {
+  if (drawn_ == pattern_.size()) return send_frame(plan_.width(), plan_.height()), true;
   const auto start = Clock::now();
   const std::uint32_t part = coarse_ ? coarse_pixels : 1;
   const std::uint32_t width = (plan_.width() + part - 1) / part;
@@ -161,14 +174,15 @@ bool View::draw() {
     for (std::size_t i = 0; i < sum_.size(); ++i) sum_[i] += sample_[i];
   if (!coarse_ && ++drawn_ == 1) sample_seconds_ = frame_seconds_;
   coarse_ = false;
-  --credits_;
   send_frame(width, height);
+  is_shown_ = true;
+  shown_part_ = part;
   under_way_ = false;
   frame_seconds_ = 0;
   return true;
 }
 
-/// In bands of whole rows, which the daemon hands on as they are.
+/// Of the newest frame, which `sum_` holds.
 void View::send_frame(std::uint32_t width, std::uint32_t height) {
   const auto start = Clock::now();
   v1::Frame frame;
@@ -181,8 +195,43 @@ void View::send_frame(std::uint32_t width, std::uint32_t height) {
   frame.set_samples(samples);
   frame.set_complete(drawn_ == pattern_.size());
 
+  const bool xyz = credits_.front() && frame.complete();
+  credits_.pop_front();
+  xyz_sent_ |= xyz;
+  if (xyz) {
+    // What was developed: sums by the same factor.
+    xyz_.resize(sum_.size());
+    const float scale = 1 / static_cast<float>(samples);
+    std::transform(sum_.begin(), sum_.end(), xyz_.begin(), [&](float v) { return scale * v; });
+  }
+  send_bands(width, height, frame, xyz);
+}
+
+void View::answer_probes() {
+  for (const v1::Probe& probe : std::exchange(probes_, {})) {
+    v1::WorkerEnvelope message = event();
+    v1::Probed& probed = *message.mutable_view_event()->mutable_probed();
+    probed = view_probe_.look(scene_, plan_, probe);
+    probed.set_number(probe.number());
+    probed.set_revision(revision_);
+    if (is_shown_ && probe.x() < plan_.width() && probe.y() < plan_.height()) {
+      const auto across = [&](std::uint32_t size) { return (size - 1) / shown_part_ + 1; };
+      const float scale = 1 / static_cast<float>(std::max<std::size_t>(1, drawn_));
+      const Xyz mean =
+          mean_of({across(plan_.width()), across(plan_.height()), shown_part_, sum_, scale}, probe);
+      probed.mutable_xyz()->Add(mean.begin(), mean.end());
+    }
+    link_.send(message);
+    ++work_;
+  }
+}
+
+/// In bands of whole rows, which the daemon hands on as they are.
+void View::send_bands(std::uint32_t width, std::uint32_t height, const v1::Frame& frame, bool xyz) {
+  static_assert(std::endian::native == std::endian::little, "X Y Z are little-endian");
   const std::size_t row = std::size_t{width} * 3;
-  const auto rows = static_cast<std::uint32_t>(std::max<std::size_t>(1, band_bytes / row));
+  const std::size_t row_bytes = row * (xyz ? 1 + sizeof(float) : 1);
+  const auto rows = static_cast<std::uint32_t>(std::max<std::size_t>(1, band_bytes / row_bytes));
   for (std::uint32_t y = 0; y < height; y += rows) {
     const std::uint32_t count = std::min(rows, height - y);
     v1::WorkerEnvelope message = event();
@@ -191,6 +240,7 @@ void View::send_frame(std::uint32_t width, std::uint32_t height) {
     band.set_height(height);
     band.set_first_row(y);
     band.set_rgb(rgb_.data() + y * row, count * row);
+    if (xyz) band.set_xyz(xyz_.data() + y * row, count * row * sizeof(float));
     if (y + count == height) *band.mutable_frame() = frame;
     link_.send(message);
   }
@@ -202,6 +252,10 @@ void View::send_updated(bool planned) {
   updated.set_revision(revision_);
   if (planned) *updated.mutable_plan() = plan_;
   updated.set_seconds(seconds_since(begun_));
+  v1::Timing& timing = *updated.mutable_timing();
+  timing.set_compile(timing_.compile());
+  timing.set_acceleration(timing_.acceleration());
+  timing.set_prepare(timing_.prepare());
   link_.send(message);
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -12,7 +14,7 @@
 #include "server/film/sample_pattern.h"
 #include "server/methods/method.h"
 #include "server/worker/job.h"
-#include "server/worker/view_scene.h"
+#include "server/worker/view_probe.h"
 
 namespace metamer::worker {
 
@@ -32,14 +34,17 @@ class View {
   bool open(const v1::OpenView& message);
   /// Keeps it for the next turn; none comes before the last one was answered.
   void update(const v1::UpdateView& message) { update_ = message; }
-  void add_credit() { ++credits_; }
+  /// Answered in its turn, after an update that waits.
+  void probe(const v1::Probe& message) { probes_.push_back(message); }
+  void add_credit(bool xyz = false) { credits_.push_back(xyz); }
 
   /// Its scene is being imported, on a thread of its own: until then it has no work.
   bool is_importing() const { return scene_.is_importing() && !scene_.is_imported(); }
   /// The import is of no use to anybody.
   void cancel_import() { scene_.cancel_import(); }
   bool has_work() const {
-    return scene_.is_importing() ? scene_.is_imported() : update_ || has_frame();
+    return scene_.is_importing() ? scene_.is_imported()
+                                 : update_ || !probes_.empty() || has_frame();
   }
   /// Takes what was imported, or carries out the update; either sends Updated, or Refused and the
   /// view stays as it was. Then draws at the next frame for about a frame's time, and sends it in
@@ -49,14 +54,22 @@ class View {
  private:
   using Clock = std::chrono::steady_clock;
 
-  bool has_frame() const { return credits_ > 0 && drawn_ < pattern_.size(); }
+  bool has_frame() const { return !credits_.empty() && (drawn_ < pattern_.size() || owes_xyz()); }
+  /// They are asked for once the frame is complete.
+  bool owes_xyz() const {
+    return !xyz_sent_ && std::find(credits_.begin(), credits_.end(), true) != credits_.end();
+  }
+  /// Its first frame is drawn to its end, or a stream of updates would show nothing.
+  bool is_first_under_way() const { return under_way_ && drawn_ == 0; }
   bool change(const v1::UpdateView& message);
   bool adopt();
   bool prepare();
   void begin_anew();
   bool draw();
   void send_frame(std::uint32_t width, std::uint32_t height);
+  void send_bands(std::uint32_t width, std::uint32_t height, const v1::Frame& frame, bool xyz);
   void send_updated(bool planned);
+  void answer_probes();
   bool refuse(std::uint64_t revision, const Problems& problems);
   void send_closed(v1::Failed::Kind kind, const std::string& reason, const Problems& problems = {});
   v1::WorkerEnvelope event() const;
@@ -67,6 +80,7 @@ class View {
   Work& work_;
 
   ViewScene scene_;
+  ViewProbe view_probe_;  ///< Of that scene.
   v1::Plan plan_;
   std::unique_ptr<Method> method_;  ///< Null: not yet open.
   std::optional<Developer> developer_;
@@ -74,15 +88,21 @@ class View {
   std::uint64_t revision_ = 0;
   std::uint64_t asked_revision_ = 0;  ///< Of the change that is being carried out,
   Clock::time_point begun_;           ///< since then.
-  unsigned credits_ = 0;
+  v1::Timing timing_;                 ///< What it took.
+  std::deque<bool> credits_;          ///< Frames asked for, and whether with X Y Z.
   std::optional<v1::UpdateView> update_;
+  std::vector<v1::Probe> probes_;
   std::vector<SamplePoint> pattern_;  ///< In the order in which frames add them.
   std::size_t drawn_ = 0;             ///< Samples of it.
   bool coarse_ = false;               ///< A coarse frame comes next.
   double sample_seconds_ = 1;         ///< What one sample of each pixel took last.
+  bool xyz_sent_ = false;             ///< Of the complete frame of this revision.
   bool under_way_ = false;            ///< A frame is being drawn;
   double frame_seconds_ = 0;          ///< so much went into it.
+  bool is_shown_ = false;             ///< `sum_` is a frame of this revision, that was sent;
+  std::uint32_t shown_part_ = 1;      ///< whose pixels stand for so many on a side.
   std::vector<float> sum_, sample_;   ///< X Y Z of all pixels.
+  std::vector<float> xyz_;            ///< Of a complete frame, where it was asked for.
   std::vector<std::uint8_t> rgb_;
 };
 

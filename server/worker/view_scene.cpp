@@ -70,70 +70,97 @@ ViewScene::ViewScene(const WorkerOptions& options, std::function<void()> wake)
 ViewScene::Problems ViewScene::open(v1::Scene scene, const AssetNames& names) {
   *scene.mutable_settings() = view_settings(scene.settings(), *options_.backend);
   if (!fits(scene.settings())) return {too_large()};
-  opened_with_ = names.size();
-  begin_import(std::move(scene), names);
+  begin_import({std::move(scene), names, names.size()});
   return {};
+}
+
+/// What is changed: the scene as it is, or another.
+tl::expected<ViewScene::Source, ViewScene::Problems> ViewScene::read(
+    const v1::UpdateView& update) const {
+  Source source{now_.message, now_.names, now_.of_objects};
+  if (!update.scene_sha256().empty()) {
+    const auto bytes = read_stored(options_.store, update.scene_sha256());
+    if (!bytes || !source.scene.ParseFromString(*bytes))
+      return tl::unexpected(
+          Problems{{.field = "", .file = {}, .message = "the scene's bytes are no scene"}});
+    *source.scene.mutable_settings() = view_settings(source.scene.settings(), *options_.backend);
+    source.names.Clear();
+    source.of_objects = update.asset_size();
+  }
+  add_names(update.asset(), source.names);
+  return source;
 }
 
 tl::expected<ViewScene::Change, ViewScene::Problems> ViewScene::change(
     const v1::UpdateView& update) {
+  auto source = read(update);
+  if (!source) return tl::unexpected(std::move(source.error()));
   Problems problems;
-  v1::Scene scene = now_.message;
+  v1::Scene& scene = source->scene;
   if (update.has_camera()) *scene.mutable_camera() = update.camera();
   if (update.has_settings())
     *scene.mutable_settings() = view_settings(update.settings(), *options_.backend);
   replace(update.light(), "light", *scene.mutable_light(), problems);
   replace(update.material(), "material", *scene.mutable_material(), problems);
-  AssetNames names = now_.names;
-  add_names(update.asset(), names);
-  if (static_cast<std::size_t>(names.size()) > limits::max_assets)
+  if (static_cast<std::size_t>(source->names.size()) > limits::max_assets)
     problems.push_back({.field = "asset", .file = {}, .message = "the view has too many files"});
   if (!fits(scene.settings())) problems.push_back(too_large());
   if (!problems.empty()) return tl::unexpected(std::move(problems));
-  const bool camera_alone =
-      !update.has_settings() && update.light_size() + update.material_size() == 0;
-  return camera_alone ? change_camera(std::move(scene), names)
-                      : change_appearance(std::move(scene), names);
+  const bool camera_alone = update.scene_sha256().empty() && !update.has_settings() &&
+                            update.light_size() + update.material_size() == 0;
+  return camera_alone ? change_camera(*std::move(source)) : change_appearance(*std::move(source));
 }
 
-tl::expected<ViewScene::Change, ViewScene::Problems> ViewScene::change_camera(
-    v1::Scene scene, const AssetNames& names) {
-  Problems problems = validate_scene(scene);
-  if (!problems.empty()) return tl::unexpected(std::move(problems));
-  RenderCamera camera = compile_camera(scene.camera());
+bool ViewScene::is_far_away(RenderCamera camera) const {
   now_.space.place(camera);
-  if (camera.eye.norm() > far_away) {
-    begin_import(std::move(scene), names);
+  return camera.eye.norm() > far_away;
+}
+
+tl::expected<ViewScene::Change, ViewScene::Problems> ViewScene::change_camera(Source source) {
+  Problems problems = validate_scene(source.scene);
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
+  RenderCamera camera = compile_camera(source.scene.camera());
+  if (is_far_away(camera)) {
+    begin_import(std::move(source));
     return Change::objects;
   }
+  now_.space.place(camera);
   now_.scene->camera = camera;
-  now_.message = std::move(scene);
+  now_.message = std::move(source.scene);
   return Change::camera;
 }
 
 /// Lights, materials and camera anew, while the objects stay; all, where they do not.
-tl::expected<ViewScene::Change, ViewScene::Problems> ViewScene::change_appearance(
-    v1::Scene scene, const AssetNames& names) {
-  auto compiled = compile_appearance(scene, stored_assets(names, options_.store));
+tl::expected<ViewScene::Change, ViewScene::Problems> ViewScene::change_appearance(Source source) {
+  auto compiled = compile_appearance(source.scene, stored_assets(source.names, options_.store));
   if (!compiled) return tl::unexpected(std::move(compiled.error()));
-  if (objects_key(scene, *compiled, {names.begin(), names.begin() + opened_with_}) !=
-      now_.objects_key) {
-    begin_import(std::move(scene), names);
+  const AssetNames of_objects(source.names.begin(), source.names.begin() + source.of_objects);
+  if (objects_key(source.scene, *compiled, of_objects) != now_.objects_key ||
+      is_far_away(compiled->camera)) {
+    begin_import(std::move(source));
     return Change::objects;
   }
-  compiled->objects = std::move(now_.scene->objects);
-  compiled->meshes = std::move(now_.scene->meshes);
+  keep_objects(*compiled);
   *now_.scene = std::move(*compiled);
   for (RenderLight& light : now_.scene->lights) now_.space.place(light);
   now_.space.place(now_.scene->camera);
-  now_.message = std::move(scene);
-  now_.names = names;
+  now_.message = std::move(source.scene);
+  now_.names = std::move(source.names);
+  now_.of_objects = source.of_objects;
   return Change::appearance;
 }
 
-void ViewScene::begin_import(v1::Scene scene, AssetNames names) {
-  import_ = std::make_unique<SceneImport>(std::move(scene), std::move(names), opened_with_,
-                                          options_, wake_);
+/// And what their files had to be taken for.
+void ViewScene::keep_objects(RenderScene& scene) {
+  scene.objects = std::move(now_.scene->objects);
+  scene.meshes = std::move(now_.scene->meshes);
+  for (RenderScene::Notice& notice : now_.scene->notices)
+    if (notice.field.starts_with("object[")) scene.notices.push_back(std::move(notice));
+}
+
+void ViewScene::begin_import(Source source) {
+  import_ = std::make_unique<SceneImport>(std::move(source.scene), std::move(source.names),
+                                          source.of_objects, now_.meshes, options_, wake_);
 }
 
 tl::expected<ImportedScene, ViewScene::Problems> ViewScene::end_import() {

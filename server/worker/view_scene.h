@@ -10,7 +10,8 @@
 namespace metamer::worker {
 
 /// The scene of a view, as changes leave it. Keeps everything that a change leaves as it is; where
-/// objects would look different, all is imported anew. Belongs to the lane's thread.
+/// objects would look different, all is imported anew but for meshes that are known. Belongs to the
+/// lane's thread.
 class ViewScene {
  public:
   using Problems = std::vector<Problem>;
@@ -39,18 +40,27 @@ class ViewScene {
 
   const v1::Settings& settings() const { return now_.message.settings(); }
   const RenderScene& scene() const { return *now_.scene; }
+  const CameraSpace& space() const { return now_.space; }
   /// Draws it; until another one is adopted.
   Renderer& renderer() { return *now_.renderer; }
 
  private:
-  void begin_import(v1::Scene scene, AssetNames names);
-  tl::expected<Change, Problems> change_camera(v1::Scene scene, const AssetNames& names);
-  tl::expected<Change, Problems> change_appearance(v1::Scene scene, const AssetNames& names);
+  /// A message with the files of its names.
+  struct Source {
+    v1::Scene scene;
+    AssetNames names;
+    int of_objects;  ///< So many of them: objects may be made of these.
+  };
+  tl::expected<Source, Problems> read(const v1::UpdateView& update) const;
+  void begin_import(Source source);
+  tl::expected<Change, Problems> change_camera(Source source);
+  tl::expected<Change, Problems> change_appearance(Source source);
+  bool is_far_away(RenderCamera camera) const;
+  void keep_objects(RenderScene& scene);
 
   const WorkerOptions& options_;
   std::function<void()> wake_;
   ImportedScene now_;
-  int opened_with_ = 0;  ///< So many names: objects may be made of these.
   std::unique_ptr<SceneImport> import_;
 };
 

@@ -12,7 +12,7 @@ Views::~Views() = default;
 
 bool Views::take(const v1::WorkerEnvelope& message) {
   if (!message.has_open_view() && !message.has_update_view() && !message.has_next_frame() &&
-      !message.has_close_view())
+      !message.has_probe() && !message.has_close_view())
     return false;
   {
     const std::lock_guard lock(mutex_);
@@ -90,11 +90,13 @@ void Views::carry_out(const v1::WorkerEnvelope& message) {
   }
   const std::uint64_t id = message.has_update_view()  ? message.update_view().view_id()
                            : message.has_next_frame() ? message.next_frame().view_id()
+                           : message.has_probe()      ? message.probe().view_id()
                                                       : message.close_view().view_id();
   // One that has failed may still be spoken to: the daemon had not heard of it yet.
   const auto found = views_.find(id);
   if (found == views_.end()) return;
-  if (message.has_next_frame()) return found->second->add_credit();
+  if (message.has_next_frame()) return found->second->add_credit(message.next_frame().xyz());
+  if (message.has_probe()) return found->second->probe(message.probe());
   if (message.has_update_view()) return found->second->update(message.update_view());
   if (found->second->is_importing()) {
     found->second->cancel_import();

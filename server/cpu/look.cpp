@@ -1,0 +1,68 @@
+#include "server/cpu/look.h"
+
+#include "server/cpu/shared_source.h"
+#include "server/cpu/tracer.h"
+
+namespace metamer::cpu {
+namespace {
+
+Eigen::Vector3d first_lane(const Vec8& v) { return {v.x[0], v.y[0], v.z[0]}; }
+
+Int8 first_lane_alone() {
+  Int8 lanes{};
+  lanes[0] = -1;
+  return lanes;
+}
+
+/// What each light sends to a surface that its ray has met, by its cosine: as Shading has it.
+std::vector<double> light_on(const RenderScene& scene, const EmbreeScene& geometry, const Vec8& hit,
+                             const Hits& hits) {
+  const Vec8 lifted = hit + hits.geometric_normal * shared::lift_off(hit, hits.distance);
+  std::vector<double> weights;
+  for (const RenderLight& light : scene.lights) {
+    lights::Values<Float8> values{};
+    const lights::Values<double> numbers = light.values();
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      values[i] = metamer::broadcast(static_cast<float>(numbers[i]));
+    const shared::Incident incident = shared::incident(light.light, values, hit);
+    const Float8 cosine = dot(hits.normal, incident.direction);
+    const Int8 facing = first_lane_alone() & shared::is_finite(incident) &
+                        (incident.weight > 0.0f) & (cosine > 0.0f);
+    const Int8 lit = geometry.visible(lifted, incident.direction, incident.reach, facing);
+    weights.push_back(lit[0] ? double{incident.weight[0]} * double{cosine[0]} : 0);
+  }
+  return weights;
+}
+
+/// The one sample in a pixel's middle, with all that it meets.
+Gather gather_middle(const RenderScene& scene, const EmbreeScene& geometry, const v1::Plan& plan,
+                     std::uint32_t x, std::uint32_t y) {
+  const Tracer tracer(scene, geometry,
+                      {plan.width(), plan.height(), plan.depth(), {SamplePoint{0.5f, 0.5f}}});
+  auto workspace = tracer.make_workspace();
+  const std::uint32_t across = x % tracer.block_width(), down = y % tracer.block_height();
+  tracer.gather_block(x - across, y - down, workspace);
+  return workspace.gathers[down * tracer.block_width() + across];
+}
+
+}  // namespace
+
+std::optional<SeenPoint> look(const RenderScene& scene, const EmbreeScene& geometry,
+                              const v1::Plan& plan, std::uint32_t x, std::uint32_t y) {
+  const RenderCamera& camera = scene.camera;
+  const double pixel = 2 * camera.tan_half_fov / plan.height();
+  const Eigen::Vector3d towards = camera.forward +
+                                  camera.right * (pixel * (x + 0.5 - plan.width() / 2.0)) -
+                                  camera.up * (pixel * (y + 0.5 - plan.height() / 2.0));
+  const Vec8 origin = to_lanes(camera.eye), direction = to_lanes(towards.normalized());
+  const Hits hits = geometry.intersect(origin, direction, first_lane_alone());
+  if (!hits.hit[0]) return std::nullopt;
+  const Vec8 hit = origin + direction * hits.distance;
+  return SeenPoint{.object = static_cast<std::uint32_t>(hits.object[0]),
+                   .place = first_lane(hit),
+                   .normal = first_lane(hits.normal).normalized(),
+                   .eye = gather_middle(scene, geometry, plan, x, y),
+                   .light = light_on(scene, geometry, hit, hits)};
+}
+
+}  // namespace metamer::cpu

@@ -1,0 +1,157 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <list>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "common/digest.h"
+#include "common/problem.h"
+#include "server/service/access/accounts.h"
+#include "server/service/refusal.h"
+
+namespace metamer::service {
+
+/// What tells that a file is still the one that was looked at, without reading it.
+struct FileStamp {
+  std::uint64_t device = 0;
+  std::uint64_t inode = 0;
+  std::uint64_t size = 0;
+  std::int64_t modified = 0;  ///< Nanoseconds since 1970, as is the next.
+  std::int64_t changed = 0;   ///< Of the inode: programs can't set it.
+  bool operator==(const FileStamp&) const = default;
+
+  /// All 0 where there is no regular file.
+  static FileStamp of(const std::filesystem::path& file);
+};
+
+/// A folder of assets, each a file that is named by the hex of its digest. It holds at most `quota`
+/// bytes: the assets that were not used for longest go first, but never one that is held. Whoever
+/// holds an asset keeps the store too. A file that was changed or removed behind the store's back
+/// makes its asset a damaged one, which counts as missing until it is uploaded anew.
+class AssetStore : public std::enable_shared_from_this<AssetStore> {
+ public:
+  /// Opens or makes the folder. Left-overs of broken uploads are removed, and so is every file
+  /// whose bytes do not have the digest that it is named by (a disk that filled up, a power cut):
+  /// that reads the whole store once. Errors: a folder that can't be made, read or written.
+  static Result<std::shared_ptr<AssetStore>> open(std::filesystem::path folder,
+                                                  std::uint64_t quota);
+
+  AssetStore(const AssetStore&) = delete;
+  AssetStore& operator=(const AssetStore&) = delete;
+
+  /// Looks at the file, and reads it where it is not the one that was looked at last.
+  bool has(const Digest& digest);
+  bool damaged(const Digest& digest) const;
+  std::filesystem::path file(const Digest& digest) const { return folder_ / to_hex(digest); }
+  /// Of assets and of what has come of uploads; never above the quota.
+  std::uint64_t bytes() const { return bytes_; }
+  const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  friend class AssetHolds;
+  friend class AssetUpload;
+
+  struct Asset {
+    std::uint64_t size = 0;
+    std::map<AccountPtr, std::uint64_t> holds;  // how many of each account
+    std::list<Digest>::iterator use;            // in by_use_
+    FileStamp stamp;
+    bool damaged = false;
+  };
+
+  AssetStore(std::filesystem::path folder, std::uint64_t quota);
+  Result<void> scan();
+  void insert(const Digest& digest, std::uint64_t size);
+  void mend(const Digest& digest);  // its file is there anew
+  bool hold(const Digest& digest, const AccountPtr& account);
+  void release(const Digest& digest, const AccountPtr& account);
+  /// What has to go so that `size` bytes fit. Refused (LIMIT) when what is held leaves too little,
+  /// or `account` would hold more than its share.
+  tl::expected<std::vector<Digest>, Refusal> victims(std::uint64_t size,
+                                                     const AccountPtr& account) const;
+  /// Makes room for `size` bytes and counts them as used.
+  tl::expected<void, Refusal> take(std::uint64_t size, const AccountPtr& account);
+  void evict(const Digest& digest);
+
+  std::filesystem::path folder_;
+  std::uint64_t quota_ = 0;
+  std::uint64_t bytes_ = 0;
+  std::uint64_t kept_ = 0;     // of them, what is held or on its way
+  std::uint64_t uploads_ = 0;  // so far; names their files
+  std::map<Digest, Asset> assets_;
+  std::list<Digest> by_use_;  // the one unused for longest first
+};
+
+/// The assets that a job or a session needs: they stay in the store as long as this lives.
+class AssetHolds {
+ public:
+  /// They count as the account's.
+  explicit AssetHolds(AssetStore& store, AccountPtr account = {})
+      : store_(store.shared_from_this()), account_(std::move(account)) {}
+  ~AssetHolds() { clear(); }
+  AssetHolds(AssetHolds&& other) noexcept
+      : store_(other.store_), account_(other.account_), held_(std::exchange(other.held_, {})) {}
+  AssetHolds& operator=(AssetHolds&&) = delete;
+
+  /// False when the store has no such asset, or a damaged one.
+  bool add(const Digest& digest);
+  void clear();
+  /// One of them that is damaged by now, if any.
+  std::optional<Digest> damaged() const;
+  /// "the server's file of NAME is damaged: PATH; send it again"
+  std::string describe_damage(const Digest& digest, const std::string& name) const;
+  std::size_t size() const { return held_.size(); }
+  /// Of all of them.
+  std::uint64_t bytes() const;
+
+ private:
+  std::shared_ptr<AssetStore> store_;
+  AccountPtr account_;
+  std::set<Digest> held_;
+};
+
+/// One asset on its way into the store: pieces in order into a temporary file, which is removed
+/// unless the last piece completes the digest.
+class AssetUpload {
+ public:
+  /// Takes room only as bytes come. Refused: LIMIT for a size above limits::max_asset, no room, or
+  /// more than the account's share; INTERNAL when the disk fails.
+  static tl::expected<AssetUpload, Refusal> begin(AssetStore& store, AccountPtr account,
+                                                  const Digest& digest, std::uint64_t size);
+  ~AssetUpload();
+  AssetUpload(AssetUpload&& other) noexcept;
+  AssetUpload& operator=(AssetUpload&&) = delete;
+
+  const Digest& digest() const { return digest_; }
+  std::uint64_t size() const { return size_; }
+  bool complete() const { return received_ == size_; }
+  const std::filesystem::path& temporary() const { return temporary_; }
+
+  /// Refused: ORDER when `offset` is not where the last piece ended or the piece goes beyond the
+  /// size; LIMIT when others have taken the room; INTERNAL when the disk fails. The upload is of no
+  /// use then.
+  tl::expected<void, Refusal> add(std::uint64_t offset, std::string_view data);
+  /// Once complete: puts the asset into the store. Refused: DIGEST.
+  tl::expected<void, Refusal> commit();
+
+ private:
+  AssetUpload(AssetStore& store, AccountPtr account, const Digest& digest, std::uint64_t size);
+  void give_back();
+
+  std::shared_ptr<AssetStore> store_;
+  AccountPtr account_;
+  Digest digest_;
+  std::uint64_t size_ = 0;
+  std::uint64_t received_ = 0;
+  DigestStream sum_;
+  std::filesystem::path temporary_;
+  int fd_ = -1;
+};
+
+}  // namespace metamer::service

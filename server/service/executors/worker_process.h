@@ -1,0 +1,97 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <boost/asio.hpp>
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "common/problem.h"
+#include "common/wire/channel.h"
+#include "metamer/v1/worker.pb.h"
+
+namespace metamer::service {
+
+namespace asio = boost::asio;
+
+/// How a worker is started.
+struct WorkerCommand {
+  std::filesystem::path program;
+  std::filesystem::path store;
+  std::uint32_t threads = 0;  ///< 0: as many as the machine has.
+  v1::Backend backend = v1::CPU;
+  int niceness = 0;                ///< As nice(2) has it.
+  std::string gl_device = "auto";  ///< Of a GL worker: auto, reference or a number.
+  bool unconfined = false;         ///< It may run where the kernel can't confine it.
+};
+
+/// One running metamer-worker: its process, its socket (descriptor 3 there) and the memory that it
+/// renders into (descriptor 4). It decides nothing; see Supervisor.
+class WorkerProcess : public std::enable_shared_from_this<WorkerProcess> {
+ public:
+  struct Handlers {
+    /// What it throws ends the process.
+    std::function<void(v1::WorkerEnvelope)> message;
+    /// Once, last: the process is gone, and why: "killed by signal 9 (Killed)".
+    std::function<void(std::string reason)> exit;
+  };
+
+  struct SpawnError {
+    std::string message;    ///< "can't start PATH: No such file or directory"
+    bool shortage = false;  ///< Of descriptors, processes or memory: it may pass.
+  };
+  /// Starts the process.
+  static tl::expected<std::shared_ptr<WorkerProcess>, SpawnError> spawn(
+      const asio::any_io_executor& executor, const WorkerCommand& command, Handlers handlers);
+  ~WorkerProcess();
+
+  pid_t pid() const { return pid_; }
+  void send(v1::WorkerEnvelope message);
+
+  /// Makes the shared memory `bytes` long and zero. False when the system refuses.
+  bool size_film(std::uint64_t bytes);
+  /// Gives the memory's pages back to the system.
+  void release_film();
+  /// Copies from the shared memory. False when it is shorter than that. By reading, not by mapping:
+  /// a worker that truncates the memory would end the daemon with SIGBUS.
+  bool read_film(std::uint64_t offset, void* to, std::size_t bytes) const;
+  /// Copies into it. False when the system refuses.
+  bool write_film(std::uint64_t offset, const void* from, std::size_t bytes);
+
+  /// Ends the process at once. Its exit is reported with `reason` instead of what the system says.
+  void kill(std::string reason);
+  /// Ends the process, waits until it is gone and reports nothing any more.
+  void abandon();
+
+ private:
+  WorkerProcess(pid_t pid, asio::posix::stream_descriptor exit, int film, wire::Socket socket,
+                Handlers handlers);
+  void run();
+  asio::awaitable<void> read_messages();
+  asio::awaitable<void> hear_messages();
+  asio::awaitable<void> write_messages();
+  asio::awaitable<void> await_exit();
+  void report_if_over();
+
+  pid_t pid_;
+  int film_;
+  asio::posix::stream_descriptor exit_;  // a pidfd: readable once the process has ended
+  wire::Channel channel_;
+  Handlers handlers_;
+  std::deque<v1::WorkerEnvelope> unsent_;
+  asio::steady_timer unsent_signal_;
+  asio::steady_timer grace_;
+  std::string kill_reason_;
+  std::optional<int> status_;  // as waitpid gives it
+  bool reading_ = true;
+};
+
+/// "killed by signal 9 (Killed)" or "exited with code 3".
+std::string describe_exit(int wait_status);
+
+}  // namespace metamer::service

@@ -1,0 +1,168 @@
+#include "server/service/store/job_store.h"
+
+#include <fcntl.h>
+#include <spdlog/spdlog.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include "server/service/store/durable_file.h"
+#include "server/service/store/record_row.h"
+#include "server/service/store/schema.h"
+
+namespace metamer::service {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool has_ended(v1::JobState state) {
+  return state == v1::FINISHED || state == v1::FAILED || state == v1::CANCELLED;
+}
+
+void write_record(Database& database, const v1::JobRecord& record) {
+  Statement put = database.prepare(
+      "INSERT INTO jobs(id, user, state, ended_at, record) VALUES(?,?,?,?,?) "
+      "ON CONFLICT(id) DO UPDATE SET state=excluded.state, ended_at=excluded.ended_at, "
+      "record=excluded.record");
+  put.bind(1, static_cast<std::int64_t>(record.job_id()))
+      .bind(2, record.user())
+      .bind(3, static_cast<std::int64_t>(record.state()))
+      .bind_bytes(5, encode_record(record));
+  if (has_ended(record.state())) put.bind(4, record.ended_at());
+  put.run();
+}
+
+std::vector<JobStore::Kept> read_records(Database& database) {
+  std::vector<JobStore::Kept> kept;
+  Statement all = database.prepare("SELECT id, user, record FROM jobs ORDER BY id");
+  while (all.step()) {
+    JobStore::Kept one{static_cast<std::uint64_t>(all.integer(0)), all.bytes(1), {}};
+    one.record = decode_record(all.bytes(2));
+    if (one.record && one.record->job_id() != one.id) one.record.reset();
+    if (!one.record) spdlog::error("job {} can't be read from the state", one.id);
+    kept.push_back(std::move(one));
+  }
+  return kept;
+}
+
+std::uint64_t last_id(Database& database) {
+  Statement find = database.prepare("SELECT seq FROM sqlite_sequence WHERE name='jobs'");
+  return find.step() ? static_cast<std::uint64_t>(find.integer(0)) : 0;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<JobStore>> JobStore::open(asio::any_io_executor loop,
+                                                 const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  auto store = std::unique_ptr<JobStore>(new JobStore(folder));
+  for (const fs::path& inside : {store->assets(), folder / "jobs"})
+    if (!error) fs::create_directories(inside, error);
+  if (!error) fs::permissions(folder, fs::perms::owner_all, error);
+  if (error)
+    return problem("can't make the state's folder " + folder.string() + ": " + error.message());
+  if (auto locked = store->lock(); !locked) return tl::unexpected(locked.error());
+  if (auto read = store->read(std::move(loop)); !read) return tl::unexpected(read.error());
+  return store;
+}
+
+JobStore::~JobStore() {
+  journal_.reset();
+  if (lock_ >= 0) ::close(lock_);
+}
+
+Result<void> JobStore::lock() {
+  const fs::path path = folder_ / "lock";
+  lock_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  if (lock_ < 0) return problem("can't open " + path.string() + ": " + std::strerror(errno));
+  if (::flock(lock_, LOCK_EX | LOCK_NB) == 0) return {};
+  if (errno == EWOULDBLOCK)
+    return problem("another metamerd has the state " + folder_.string() + " open");
+  return problem("can't lock " + path.string() + ": " + std::strerror(errno));
+}
+
+Result<void> JobStore::read(asio::any_io_executor loop) {
+  try {
+    auto database = std::make_unique<Database>(folder_ / database_name);
+    if (const auto damage = database->damage())
+      return problem("the state's database is damaged: " + *damage);
+    if (auto migrated = migrate(*database); !migrated) return migrated;
+    server_id_ = service::server_id(*database);
+    kept_ = read_records(*database);
+    next_id_ = last_id(*database) + 1;
+    sync_folder(folder_);
+    journal_ = std::make_unique<Journal>(std::move(loop), std::move(database));
+  } catch (const std::exception& error) {
+    return problem("can't open the state's database " + (folder_ / database_name).string() + ": " +
+                   error.what());
+  }
+  return {};
+}
+
+fs::path JobStore::tile_path(std::uint64_t id) const {
+  return folder_ / "jobs" / (std::to_string(id) + ".tiles");
+}
+
+std::unique_ptr<TileFile> JobStore::tiles(std::uint64_t id) const {
+  return std::make_unique<TileFile>(tile_path(id));
+}
+
+void JobStore::put(v1::JobRecord record, const TileFile* tiles, Done done) {
+  Journal::Work sync;
+  if (tiles) {
+    sync = [path = tiles->path(), lost = tiles->lost()](Database&) {
+      if (*lost) throw std::system_error(ENOSPC, std::generic_category(), path.string());
+      TileFile::sync(path);
+    };
+  }
+  journal_->post(
+      [record = std::move(record), sync = std::move(sync)](Database& database) {
+        if (sync) sync(database);
+        write_record(database, record);
+      },
+      [this, done = std::move(done)](const std::optional<StoreTrouble>& trouble) {
+        if (trouble && !trouble_) spdlog::error("the state can't be written: {}", trouble->message);
+        trouble_ = trouble;
+        if (done) done(trouble);
+      });
+}
+
+void JobStore::remove(std::uint64_t id) {
+  journal_->post([id](Database& database) {
+    Statement forget = database.prepare("DELETE FROM jobs WHERE id=?");
+    forget.bind(1, static_cast<std::int64_t>(id)).run();
+  });
+  remove_tiles(id);
+}
+
+void JobStore::write_tile(const TileFile& file, std::uint64_t offset, std::string record,
+                          Done done) {
+  journal_->post(
+      [path = file.path(), lost = file.lost(), offset, record = std::move(record)](Database&) {
+        try {
+          TileFile::write(path, offset, record);
+        } catch (const std::system_error&) {
+          *lost = true;
+          throw;
+        }
+      },
+      std::move(done));
+}
+
+void JobStore::cut_tiles(std::uint64_t id, std::uint64_t size) {
+  journal_->post([path = tile_path(id), size](Database&) { TileFile::cut(path, size); });
+}
+
+/// After the row that says so is on the disk: a transaction of its own comes later.
+void JobStore::remove_tiles(std::uint64_t id) {
+  journal_->post({}, [this, id](const std::optional<StoreTrouble>& trouble) {
+    if (!trouble) journal_->post([path = tile_path(id)](Database&) { TileFile::remove(path); });
+  });
+}
+
+}  // namespace metamer::service

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/problem.h"
+#include "metamer/v1/record.pb.h"
+#include "server/service/store/journal.h"
+#include "server/service/store/tile_file.h"
+
+namespace metamer::service {
+
+/// What a daemon keeps in its state's folder, which it alone has open:
+///
+///     lock  metamer.db  assets/SHA-256…  jobs/ID.tiles
+///
+/// What is asked for is carried out in that order, by the journal's thread. For the loop's thread.
+class JobStore {
+ public:
+  using Done = Journal::Done;
+
+  /// Makes the folder (mode 0700) where there is none, and brings its tables up to date. Errors:
+  /// another daemon has it; it can't be written; its database is damaged or of a later version.
+  static Result<std::unique_ptr<JobStore>> open(asio::any_io_executor loop,
+                                                const std::filesystem::path& folder);
+  ~JobStore();
+  JobStore(const JobStore&) = delete;
+  JobStore& operator=(const JobStore&) = delete;
+
+  /// 16 bytes, for ever.
+  const std::string& server_id() const { return server_id_; }
+  std::filesystem::path assets() const { return folder_ / "assets"; }
+  /// Greater than that of any job that ever was.
+  std::uint64_t next_id() const { return next_id_; }
+
+  /// A job as it was kept last; without a record where that can't be read.
+  struct Kept {
+    std::uint64_t id = 0;
+    std::string user;
+    std::optional<v1::JobRecord> record;
+  };
+  /// All jobs, by their numbers; given once, at the start.
+  std::vector<Kept> take_kept() { return std::move(kept_); }
+
+  /// Keeps a job as it is now. With `tiles` all of these are on the disk before; trouble where one
+  /// could not be written.
+  void put(v1::JobRecord record, const TileFile* tiles, Done done);
+  /// Forgets a job, then its tiles.
+  void remove(std::uint64_t id);
+  std::unique_ptr<TileFile> tiles(std::uint64_t id) const;
+  void write_tile(const TileFile& file, std::uint64_t offset, std::string record, Done done);
+  /// Cuts a job's tiles off behind `size` bytes; they are void.
+  void cut_tiles(std::uint64_t id, std::uint64_t size);
+  void remove_tiles(std::uint64_t id);
+
+  /// Once all that was asked for so far has been carried out.
+  void settle(Done done) { journal_->post({}, std::move(done)); }
+  /// The same for other files and tables of the state.
+  asio::awaitable<std::optional<StoreTrouble>> carry_out(Journal::Work work) {
+    return journal_->carry_out(std::move(work));
+  }
+  /// Why the last put() failed; nothing when it did not.
+  const std::optional<StoreTrouble>& trouble() const { return trouble_; }
+
+ private:
+  explicit JobStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  Result<void> lock();
+  Result<void> read(asio::any_io_executor loop);
+  std::filesystem::path tile_path(std::uint64_t id) const;
+
+  std::filesystem::path folder_;
+  int lock_ = -1;
+  std::string server_id_;
+  std::uint64_t next_id_ = 1;
+  std::vector<Kept> kept_;
+  std::optional<StoreTrouble> trouble_;
+  std::unique_ptr<Journal> journal_;
+};
+
+}  // namespace metamer::service

@@ -1,0 +1,41 @@
+#include "server/worker/known_meshes.h"
+
+namespace metamer::worker {
+
+MeshImport KnownMeshes::reusing(MeshImport import, const AssetNames& names) {
+  return [this, import = std::move(import),
+          &names](const MeshRequest& request) -> Result<std::vector<TriangleMesh>> {
+    const std::string bytes = mesh_file_key(request.file, names);
+    const auto key = [&](const MeshUse& use) {
+      return Key{bytes, use.part, use.crease_angle, use.tangents};
+    };
+
+    // Import what is missing.
+    MeshRequest missing{request.file, {}};
+    for (const MeshRequest::Mesh& one : request.meshes)
+      if (!meshes_.contains(key(one.use))) missing.meshes.push_back(one);
+    if (!missing.meshes.empty()) {
+      auto imported = import(missing);
+      if (!imported) return imported;
+      for (std::size_t i = 0; i < missing.meshes.size(); ++i)
+        meshes_[key(missing.meshes[i].use)].mesh = std::move((*imported)[i]);
+    }
+
+    // Hand out all.
+    std::vector<TriangleMesh> meshes;
+    for (const MeshRequest::Mesh& one : request.meshes) {
+      Known& known = meshes_.at(key(one.use));
+      known.asked = true;
+      meshes.push_back(known.mesh);
+    }
+    return meshes;
+  };
+}
+
+KnownMeshes KnownMeshes::asked() && {
+  std::erase_if(meshes_, [](const auto& known) { return !known.second.asked; });
+  for (auto& [key, known] : meshes_) known.asked = false;
+  return std::move(*this);
+}
+
+}  // namespace metamer::worker
