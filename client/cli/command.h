@@ -18,7 +18,7 @@ namespace metamer::cli {
 using Target =
     std::variant<bool*, std::string*, std::optional<std::string>*, std::vector<std::string>*,
                  std::uint32_t*, std::optional<std::uint32_t>*, std::vector<std::uint32_t>*,
-                 std::uint64_t*, double*, std::optional<double>*>;
+                 std::uint64_t*, std::vector<std::uint64_t>*, double*, std::optional<double>*>;
 
 /// An option, a flag (of a bool), or a word that is known by its position.
 struct Option {

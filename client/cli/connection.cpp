@@ -71,12 +71,28 @@ std::string server_name(const CommonOptions& options) {
 ExitCode with_server(const CommonOptions& options, Report& report, const Work& work) {
   const std::string server = server_name(options);
   if (server.empty()) {
-    report.error("no server named: use --server unix:PATH or HOST:PORT, or set METAMER_SERVER");
+    report.error(
+        "no server named: use --server unix:PATH, HOST:PORT or tls:HOST:PORT, or set "
+        "METAMER_SERVER");
     return ExitCode::bad_input;
   }
   asio::io_context loop(1);
   const std::function<void()> ignore = [] {};  // Ctrl-C has nothing to cancel here
   return run(loop, report, connect_and_work(server, report, work, ignore));
+}
+
+ExitCode with_named_server(const std::string& server, const Credentials& credentials,
+                           Report& report, const Work& work) {
+  asio::io_context loop(1);
+  const auto connect_with = [&]() -> asio::awaitable<ExitCode> {
+    // With names: GCC 12 destroys some temporaries of a co_await twice.
+    const ConnectLimits limits;
+    const std::optional<Credentials> known = credentials;
+    Answer<std::unique_ptr<Session>> session = co_await Session::connect(server, limits, known);
+    if (!session) co_return report.session_error(session.error());
+    co_return co_await work(**session);
+  };
+  return run(loop, report, connect_with());
 }
 
 ExitCode with_any_server(const CommonOptions& options, Report& report, InterruptibleWork work) {

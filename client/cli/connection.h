@@ -38,6 +38,10 @@ ExitCode with_server(const CommonOptions& options, Report& report, const Work& w
 using InterruptibleWork = std::function<boost::asio::awaitable<ExitCode>(Session&, Interrupts&)>;
 ExitCode with_any_server(const CommonOptions& options, Report& report, InterruptibleWork work);
 
+/// Connects to `server` with these credentials, whatever is kept of it.
+ExitCode with_named_server(const std::string& server, const Credentials& credentials,
+                           Report& report, const Work& work);
+
 /// The server that the options or the environment name; empty: none.
 std::string server_name(const CommonOptions& options);
 

@@ -6,7 +6,7 @@
 
 #include "client/cli/report.h"
 #include "client/cli/scene_input.h"
-#include "client/session/job_record.h"
+#include "client/session/record_job.h"
 #include "client/session/session.h"
 
 namespace metamer::cli {

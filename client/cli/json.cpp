@@ -84,11 +84,14 @@ Json to_json(const Message& message) {
 }
 
 Json to_json(const Problem& problem) {
-  return {{"field", problem.field},
-          {"file", problem.file},
-          {"line", problem.line},
-          {"column", problem.column},
-          {"message", problem.message}};
+  Json object = {{"field", problem.field},
+                 {"file", problem.file},
+                 {"line", problem.line},
+                 {"column", problem.column},
+                 {"message", problem.message}};
+  if (!problem.was.empty()) object["was"] = problem.was;
+  if (!problem.meant.empty()) object["meant"] = problem.meant;
+  return object;
 }
 
 }  // namespace metamer::cli

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "client/cli/development.h"
+#include "client/tools/scene/light_names.h"
 #include "client/tools/scene/light_words.h"
 #include "client/tools/scene/observers.h"
 #include "client/tools/scene/words.h"
@@ -67,8 +68,9 @@ Result<void> add_method(const Overrides& overrides, Look& look) {
     const bool positions = overrides.samples || overrides.wavelengths || overrides.fitted;
     const auto* field = v1::Method::descriptor()->FindFieldByName(*overrides.method);
     if (field == nullptr)
-      return problem("--method: no method named \"" + *overrides.method + "\"" +
-                     did_you_mean(*overrides.method, field_names(*v1::Method::descriptor())));
+      return tl::unexpected(
+          metamer::unknown_name("--method: no method named \"" + *overrides.method + "\"",
+                                *overrides.method, field_names(*v1::Method::descriptor())));
     if (positions && *overrides.method != "point")
       return problem("--method " + *overrides.method + " has no wavelengths to choose");
     if (*overrides.method == "auto") {
@@ -260,10 +262,11 @@ Result<void> add_lights(const Overrides& overrides, Look& look) {
       return problem("--light: \"" + text + "\" is not NAME=SPECTRUM, such as ceiling=A");
     auto light = client::light_of_word(text.substr(equals + 1));
     if (!light) return problem("--light: " + light.error().message);
-    look.lights.push_back({.light = name,
-                           .spectrum = std::move(light->spectrum),
-                           .by = "--light",
-                           .file = std::move(light->file)});
+    client::LightChange& change = look.lights.emplace_back();
+    change.light.set_name(name);
+    *change.light.mutable_spectrum() = std::move(light->spectrum);
+    change.by = "--light";
+    change.file = std::move(light->file);
   }
   return {};
 }
@@ -303,7 +306,30 @@ Result<Look> look_of(const Overrides& overrides) {
   return look;
 }
 
+namespace {
+
+Result<std::vector<Replaced>> apply_named_look(const std::optional<std::string>& name,
+                                               v1::Scene& scene) {
+  if (!name) return std::vector<Replaced>();
+  const Result<Look> look = client::look_named(scene, *name);
+  if (!look) return problem("--look: " + look.error().message);
+  return client::apply(*look, scene);
+}
+
+/// Every --light has a light.
+Result<void> check_lights(const Look& look, const v1::Scene& scene) {
+  std::vector<std::string> named, lights;
+  for (const client::LightChange& change : look.lights) named.push_back(change.light.name());
+  for (const v1::Light& light : scene.light()) lights.push_back(light.name());
+  const std::string fault = client::no_effect(named, lights);
+  return fault.empty() ? Result<void>() : problem("--light: " + fault);
+}
+
+}  // namespace
+
 Result<std::vector<Replaced>> apply(const Overrides& overrides, v1::Scene& scene) {
+  auto all_replaced = apply_named_look(overrides.look, scene);
+  if (!all_replaced) return all_replaced;
   Result<Look> look = look_of(overrides);
   if (!look) return tl::unexpected(std::move(look.error()));
   const bool chosen =
@@ -317,7 +343,10 @@ Result<std::vector<Replaced>> apply(const Overrides& overrides, v1::Scene& scene
   auto replaced = client::apply(*look, scene);
   // What can be wrong by now is a light's name.
   if (!replaced) return problem("--light: " + replaced.error().message);
-  return replaced;
+  if (const auto checked = check_lights(*look, scene); !checked)
+    return tl::unexpected(checked.error());
+  all_replaced->insert(all_replaced->end(), replaced->begin(), replaced->end());
+  return all_replaced;
 }
 
 bool choose_a_method(const Overrides& overrides) {

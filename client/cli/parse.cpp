@@ -6,6 +6,8 @@
 #include <sstream>
 #include <type_traits>
 
+#include "common/problem.h"
+
 namespace metamer::cli {
 namespace {
 
@@ -55,6 +57,24 @@ std::string no_number(const std::string& text) {
   return nan ? "Number " + text + " is not a number" : std::string();
 }
 
+/// The number, or why it is none. CLI11's own checks print the whole range of doubles.
+std::string number_in(const std::string& text, double& value) {
+  return CLI::detail::lexical_cast(text, value) ? std::string()
+                                                : metamer::quoted(text) + " is not a number";
+}
+
+std::string not_negative(const std::string& text) {
+  double value = 0;
+  if (std::string wrong = number_in(text, value); !wrong.empty()) return wrong;
+  return value < 0 ? text + " is below 0" : std::string();
+}
+
+std::string positive(const std::string& text) {
+  double value = 0;
+  if (std::string wrong = number_in(text, value); !wrong.empty()) return wrong;
+  return value > 0 ? std::string() : text + " is not above 0";
+}
+
 void declare(CLI::App& app, const Option& option) {
   CLI::Option& added = *add(app, option);
   if (std::holds_alternative<double*>(option.target) ||
@@ -66,8 +86,8 @@ void declare(CLI::App& app, const Option& option) {
   if (option.single) added.expected(1);
   if (option.separator != 0) added.delimiter(option.separator);
   if (option.range) added.check(CLI::Range(option.range->first, option.range->second));
-  if (option.sign == Option::Sign::not_negative) added.check(CLI::NonNegativeNumber);
-  if (option.sign == Option::Sign::positive) added.check(CLI::PositiveNumber);
+  if (option.sign == Option::Sign::not_negative) added.check(not_negative);
+  if (option.sign == Option::Sign::positive) added.check(positive);
   if (!option.choices.empty()) added.check(CLI::IsMember(option.choices));
   if (option.shows_default) added.capture_default_str();
 }

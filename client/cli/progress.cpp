@@ -60,10 +60,15 @@ void ProgressView::line(const std::string& text) {
   say(std::cerr, text);
 }
 
+/// On the terminal's last line.
+void ProgressView::draw(const std::string& bar) {
+  std::cerr << "\r\033[K" << bar << std::flush;
+  drawn_ = true;
+}
+
 void ProgressView::show_progress(const v1::Progress& progress) {
   if (terminal_) {
-    std::cerr << "\r\033[K" << bar(progress, terminal_columns()) << std::flush;
-    drawn_ = true;
+    draw(bar(progress, terminal_columns()));
   } else {
     show_line(progress);
   }
@@ -99,6 +104,12 @@ void ProgressView::show(const v1::JobEvent& event) {
       break;
     case v1::JobEvent::kFinished:
       line("done: " + describe(event.finished().timing()));
+      break;
+    case v1::JobEvent::kPreparing:
+      if (terminal_) draw(word(event.preparing().stage()) + std::string(" …"));
+      break;
+    case v1::JobEvent::kPrepared:
+      clear_bar();
       break;
     case v1::JobEvent::kStarted:
     case v1::JobEvent::kTile:

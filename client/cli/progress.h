@@ -24,6 +24,7 @@ class ProgressView {
   void line(const std::string& text);
 
  private:
+  void draw(const std::string& bar);
   void show_progress(const v1::Progress& progress);
   void show_line(const v1::Progress& progress);
   void clear_bar();

@@ -23,7 +23,7 @@ void declare_weights(std::string& word, Options& options) {
 void declare_common(CommonOptions& common, Options& options) {
   options.push_back({.names = "--server",
                      .target = &common.server,
-                     .meaning = "unix:PATH or HOST:PORT; default $METAMER_SERVER"});
+                     .meaning = "unix:PATH, HOST:PORT or tls:HOST:PORT; default $METAMER_SERVER"});
   declare_json(common.json, options);
 }
 
@@ -42,6 +42,8 @@ void declare_overrides(Overrides& overrides, Options& options) {
   const auto add = [&](const char* name, Target target, const std::string& meaning) {
     options.push_back({.names = name, .target = target, .meaning = meaning, .group = group});
   };
+  add("--look", &overrides.look,
+      "one of the scene's looks, by its name; other options come after it");
   add("--backend", &overrides.backend, "cpu, a ray tracer, or gl: OpenGL, without mirrors");
   add("--method", &overrides.method, "how colour is carried: " + method_words() + " or auto");
   add("--samples", &overrides.samples, "point at FROM:TO:STEP nm, such as 400:700:5");
@@ -67,7 +69,8 @@ void declare_overrides(Overrides& overrides, Options& options) {
       "phong, constant, gouraud or quadratic, where an object has none");
   add("--threads", &overrides.threads, "0: as many as the server has");
   add("--tile-size", &overrides.tile_size, "pixels, a multiple of 8");
-  std::string light_meaning = "give a light another spectrum, *: all of them; ";
+  std::string light_meaning =
+      "give a light another spectrum, *: all but those that are named after it; ";
   light_meaning += light_words;  // GCC 12 warns wrongly of a sum of the two (its bug 105329).
   add("--light", &overrides.lights, light_meaning);
   options.back().type = "NAME=SPECTRUM";

@@ -24,8 +24,9 @@ struct DevelopmentOptions {
   bool linear = false;
 };
 
-/// What the command line says instead of the scene's own settings, as written.
+/// What the command line says instead of the scene's own, as written.
 struct Overrides {
+  std::optional<std::string> look;          ///< Of the scene: its name. Before all others.
   std::optional<std::string> backend;       ///< "cpu", "gl"
   std::optional<std::string> method;        ///< A name in v1::Method: "point", "rgb".
   std::optional<std::string> samples;       ///< "400:700:5"
@@ -64,8 +65,8 @@ inline constexpr const char* observer_meaning =
 
 /// Of options that take a light.
 inline constexpr const char* light_words =
-    "D65, D:6504K, 2856K, lines (436nm:0.6+546nm), FILE, FILE#ENTRY, or FILE@um@clamp, say: how it "
-    "is read";
+    "D65, D:6504K, 2856K, lines such as 436nm:0.6+546nm, FILE, FILE#ENTRY, or FILE@um@clamp, say: "
+    "how it is read";
 
 void declare_json(bool& json, Options& options);
 /// --weights: a word of table_weights_words.

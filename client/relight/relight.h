@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "client/relight/factors.h"
 #include "common/color/xyz.h"
@@ -17,6 +19,16 @@ Observer observer_of(const v1::Plan& plan, const v1::SceneFactors& scene);
 /// X Y Z of each pixel. `scene` has the lights and materials of `factors.scene`, with spectra of
 /// its own choice.
 Image relight(const Factors& factors, const v1::SceneFactors& scene, const Observer& observer);
+
+/// The same under each of several scenes, bit for bit, on all threads; the factors are read once
+/// for `relit_together` of them. `pictures` becomes what they make, by scene; images that are there
+/// are overwritten, so that memory is taken once for many calls.
+void relight(const Factors& factors, std::span<const v1::SceneFactors> scenes,
+             const Observer& observer, std::vector<Image>& pictures);
+inline constexpr std::size_t relit_together = 4;
+
+/// What three numbers in place of spectra make of it: the answer of the method `rgb`.
+Image relight_rgb(const Factors& factors, const v1::SceneFactors& scene, const Observer& observer);
 
 /// The light of each pixel in bands at `wavelengths`, a channel each, named by its nm: the lights'
 /// band means times the reflectances there.

@@ -19,6 +19,7 @@ struct Connection {
 
 /// Connects to a server, "unix:PATH" or "HOST:PORT"; where none is named, starts a private one and
 /// connects to that. Errors: those of PrivateServer::start and Session::connect.
-boost::asio::awaitable<Answer<Connection>> connect(std::string server);
+boost::asio::awaitable<Answer<Connection>> connect(std::string server, ConnectLimits limits = {},
+                                                   int nice = 0);
 
 }  // namespace metamer::client

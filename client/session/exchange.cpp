@@ -14,7 +14,9 @@ constexpr auto as_tuple = asio::as_tuple(asio::use_awaitable);
 
 tl::unexpected<SessionError> refused(const v1::Error& error) {
   SessionError result;
-  result.kind = error.code() == v1::Error::VERSION ? Kind::version : Kind::refused;
+  result.kind = error.code() == v1::Error::VERSION   ? Kind::version
+                : error.code() == v1::Error::CLOSING ? Kind::disconnected
+                                                     : Kind::refused;
   result.message = error.message();
   result.code = error.code();
   result.problems.assign(error.problem().begin(), error.problem().end());
@@ -34,15 +36,25 @@ Session::Exchange::Exchange(std::shared_ptr<State> state)
 
 Session::Exchange::~Exchange() {
   inbox_->close();
-  state_->inboxes.erase(id_);
+  std::erase_if(state_->inboxes, [&](const auto& known) { return known.second == inbox_; });
 }
 
-asio::awaitable<Answer<v1::Envelope>> Session::Exchange::receive() {
+std::uint64_t Session::Exchange::add_request() {
+  state_->inboxes.emplace(++state_->last_id, inbox_);
+  return state_->last_id;
+}
+
+asio::awaitable<Answer<v1::Envelope>> Session::Exchange::receive_any() {
   if (state_->lost && !inbox_->ready()) co_return state_->why_lost();
   auto [error, envelope] = co_await inbox_->async_receive(as_tuple);
   if (error) co_return state_->why_lost();
-  if (envelope.has_error()) co_return refused(envelope.error());
   co_return Answer<v1::Envelope>(std::move(envelope));
+}
+
+asio::awaitable<Answer<v1::Envelope>> Session::Exchange::receive() {
+  Answer<v1::Envelope> answer = co_await receive_any();
+  if (answer && answer->has_error()) co_return refused(answer->error());
+  co_return answer;
 }
 
 asio::awaitable<void> Session::State::read_all(std::shared_ptr<State> state) {
@@ -50,7 +62,8 @@ asio::awaitable<void> Session::State::read_all(std::shared_ptr<State> state) {
     v1::Envelope envelope;
     const auto got = co_await state->channel.read(envelope);
     if (!got) {
-      state->lose(got.error().message);
+      state->lose(got.error().tls ? "it speaks TLS there: try tls:" + state->server
+                                  : got.error().message);
       co_return;
     }
     const auto found = state->inboxes.find(envelope.request_id());

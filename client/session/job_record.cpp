@@ -52,8 +52,12 @@ Answer<void> take(const v1::JobEvent& event, JobParts parts, JobRecord& record) 
     case v1::JobEvent::kCancelled:
       record.last = event;
       return {};
+    case v1::JobEvent::kPrepared:
+      record.prepared = event.prepared().timing();
+      return {};
     case v1::JobEvent::kQueued:
     case v1::JobEvent::kStarted:
+    case v1::JobEvent::kPreparing:
     case v1::JobEvent::kProgress:
     case v1::JobEvent::kPreview:
     case v1::JobEvent::kPaused:
@@ -74,26 +78,6 @@ Answer<void> complete(const JobRecord& record, JobParts parts) {
     return session_error(Kind::disconnected,
                          "the server finished the job without all of its tiles");
   return {};
-}
-
-boost::asio::awaitable<Answer<JobRecord>> record_job(
-    Session& session, std::uint64_t job_id, JobParts parts,
-    std::function<void(const v1::JobEvent&)> shown) {
-  JobRecord record;
-  record.job_id = job_id;
-  v1::Watch request;
-  request.set_job_id(job_id);
-  request.set_tiles(parts != JobParts::plan);
-  request.set_factors(parts == JobParts::picture_and_factors);
-
-  Session::OnEvent on_event = [&](const v1::JobEvent& event) {
-    if (shown) shown(event);
-    return take(event, parts, record);
-  };
-  Answer<void> ended = co_await session.watch(std::move(request), on_event);
-  if (ended) ended = complete(record, parts);
-  if (!ended) co_return tl::unexpected<SessionError>(std::move(ended.error()));
-  co_return Answer<JobRecord>(std::move(record));
 }
 
 }  // namespace metamer::client

@@ -1,14 +1,11 @@
 #pragma once
 
-#include <boost/asio/awaitable.hpp>
 #include <cstdint>
-#include <functional>
 #include <optional>
 
 #include "client/relight/factors.h"
 #include "client/session/error.h"
 #include "client/session/film.h"
-#include "client/session/session.h"
 #include "metamer/v1/jobs.pb.h"
 #include "metamer/v1/plan.pb.h"
 
@@ -22,6 +19,7 @@ struct JobRecord {
   std::uint64_t job_id = 0;
   v1::JobEvent last;  ///< finished, failed or cancelled; none before the end.
   std::optional<v1::Plan> plan;
+  std::optional<v1::Timing> prepared;     ///< What it took to the first tile, where that was said.
   std::optional<Film> film;               ///< Where the picture is kept and was planned.
   std::optional<FactorsBuilder> factors;  ///< Where they are kept and the job has them.
   bool factors_lost = false;              ///< There are more than the server keeps.
@@ -34,11 +32,5 @@ Answer<void> take(const v1::JobEvent& event, JobParts parts, JobRecord& record);
 /// Whether a record that has its last event has all that it should. Errors: a finished job that has
 /// no picture, as it was checked only (input), or not all of it (disconnected).
 Answer<void> complete(const JobRecord& record, JobParts parts);
-
-/// Watches a job from its first event to its last and records it. Each event is given to `shown`
-/// before it is taken. Errors: those of Session::watch, take and complete.
-boost::asio::awaitable<Answer<JobRecord>> record_job(
-    Session& session, std::uint64_t job_id, JobParts parts,
-    std::function<void(const v1::JobEvent&)> shown = {});
 
 }  // namespace metamer::client

@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -59,7 +60,9 @@ Answer<pid_t> spawn_daemon(const std::string& daemon, const fs::path& folder, in
   const std::string listen = "unix:" + (folder / "socket").string();
   const std::string log = (folder / "log").string();
   std::vector<std::string> words = {
-      daemon, "--listen", listen, "--parent-fd", std::to_string(daemon_fd), "--log-level", "warn"};
+      daemon, "--listen", listen, "--parent-fd", std::to_string(daemon_fd), "--log-level", "warn",
+      // One person's own server renders their own files: on an old kernel, too.
+      "--unconfined"};
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
@@ -107,7 +110,7 @@ asio::awaitable<bool> wait_for_ready(int descriptor) {
 
 }  // namespace
 
-asio::awaitable<Answer<PrivateServer>> PrivateServer::start() {
+asio::awaitable<Answer<PrivateServer>> PrivateServer::start(int nice) {
   PrivateServer server;
 
   // Make the pair by which the daemon notices our end; only its own end is inherited.
@@ -128,6 +131,8 @@ asio::awaitable<Answer<PrivateServer>> PrivateServer::start() {
   close(pair[1]);
   if (!pid) co_return tl::unexpected<SessionError>(std::move(pid.error()));
   server.pid_ = *pid;
+  // Its workers and threads come after this; without it all works, too.
+  if (nice != 0) setpriority(PRIO_PROCESS, static_cast<id_t>(*pid), nice);
 
   // Wait until it listens.
   const bool ready = co_await wait_for_ready(server.pair_end_);
@@ -138,7 +143,8 @@ asio::awaitable<Answer<PrivateServer>> PrivateServer::start() {
 PrivateServer::PrivateServer(PrivateServer&& other) noexcept
     : pid_(std::exchange(other.pid_, -1)),
       pair_end_(std::exchange(other.pair_end_, -1)),
-      folder_(std::exchange(other.folder_, {})) {}
+      folder_(std::exchange(other.folder_, {})),
+      log_(std::move(other.log_)) {}
 
 PrivateServer::~PrivateServer() {
   if (pair_end_ >= 0) close(pair_end_);
@@ -155,15 +161,32 @@ PrivateServer::~PrivateServer() {
 
 void PrivateServer::connected() {
   if (folder_.empty()) return;
+  log_.open(folder_ / "log");
   std::error_code ignored;  // a folder that is gone already is as good
   fs::remove_all(folder_, ignored);
   folder_.clear();
 }
 
-std::string PrivateServer::last_words() const {
-  std::ifstream log(folder_ / "log");
+std::string PrivateServer::how_it_ended() {
+  constexpr std::chrono::milliseconds moment{200};  // its socket closes before it is gone
+  if (pid_ <= 0) return {};
+  const int process = pidfd_open(pid_, 0);
+  pollfd ended{process, POLLIN, 0};
+  const bool gone = process >= 0 && poll(&ended, 1, static_cast<int>(moment.count())) == 1;
+  if (process >= 0) close(process);
+  int status = 0;
+  if (!gone || waitpid(pid_, &status, WNOHANG) != pid_) return {};
+  pid_ = -1;
+  return "the private metamerd ended " +
+         (WIFSIGNALED(status) ? "by signal " + std::to_string(WTERMSIG(status))
+                              : "with code " + std::to_string(WEXITSTATUS(status))) +
+         last_words();
+}
+
+std::string PrivateServer::last_words() {
+  if (!log_.is_open()) log_.open(folder_ / "log");
   std::string line, last;
-  while (std::getline(log, line))
+  while (std::getline(log_, line))
     if (!line.empty()) last = line;
   return last.empty() ? std::string() : ": " + last;
 }

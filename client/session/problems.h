@@ -13,7 +13,9 @@ inline Problem from_wire(const v1::Problem& problem) {
           .file = problem.file(),
           .line = static_cast<int>(problem.line()),
           .column = static_cast<int>(problem.column()),
-          .message = problem.message()};
+          .message = problem.message(),
+          .was = problem.was(),
+          .meant = problem.meant()};
 }
 
 /// The same of a message's list, or of a SessionError's.

@@ -7,6 +7,16 @@
 #include <set>
 
 namespace metamer::client {
+namespace {
+
+std::string serialise_without_looks(const v1::Scene& scene) {
+  if (scene.look().empty()) return serialise(scene);
+  v1::Scene sent = scene;
+  sent.clear_look();
+  return serialise(sent);
+}
+
+}  // namespace
 
 std::string serialise(const v1::Scene& scene) {
   std::string bytes;
@@ -26,7 +36,7 @@ Submission make_submission(const v1::Scene& scene, const std::vector<Asset>& ass
   // The scene itself is the first asset.
   Upload scene_upload;
   scene_upload.name = name;
-  scene_upload.bytes = serialise(scene);
+  scene_upload.bytes = serialise_without_looks(scene);
   scene_upload.size = scene_upload.bytes.size();
   scene_upload.sha256 = sha256(scene_upload.bytes);
 

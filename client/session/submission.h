@@ -32,7 +32,8 @@ struct Submission {
 /// The same scene always gives the same bytes, so that the server knows it again.
 std::string serialise(const v1::Scene& scene);
 
-/// `name` is for people. With `check_only` the server compiles and plans, and renders nothing.
+/// The scene is sent without its looks, which clients apply. `name` is for people. With
+/// `check_only` the server compiles and plans, and renders nothing.
 Submission make_submission(const v1::Scene& scene, const std::vector<Asset>& assets,
                            std::string name, bool check_only);
 

@@ -10,7 +10,7 @@
 
 namespace metamer::cli {
 
-/// What cancel, pause and resume have in common: one request, answered with the job's new state.
+/// What pause and resume have in common: one request, answered with the job's new state.
 using Control = boost::asio::awaitable<Answer<v1::JobSummary>> (Session::*)(std::uint64_t);
 
 struct ControlOptions {

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "client/cli/administration.h"
 #include "client/cli/commands.h"
 #include "client/cli/connection.h"
 #include "client/cli/shared_options.h"
@@ -17,6 +18,7 @@ struct InfoOptions {
   bool models = false;   ///< Each with its citation and its parameters.
   bool methods = false;  ///< What each backend and each method has.
   bool all = false;
+  bool health = false;  ///< Nothing but whether the server is well.
 };
 
 /// A line in pieces of 80 characters at most, parted at blanks; those after the first are indented.
@@ -58,10 +60,17 @@ void print_server(const v1::Info& info, double ping, Report& report) {
                     client::formatted(", answers in %.1f ms, %u %s", ping * 1e3, info.sessions(),
                                       info.sessions() == 1 ? "session" : "sessions"),
                 report);
+  if (!info.trouble().empty()) print_wrapped("trouble: " + info.trouble(), report);
   print_wrapped("jobs: " + std::to_string(info.jobs_running()) + " running, " +
                     std::to_string(info.jobs_queued()) + " queued; " +
-                    std::to_string((info.store_bytes() + (1u << 20) - 1) >> 20) + " MiB of assets",
+                    std::to_string((info.store_bytes() + (1u << 20) - 1) >> 20) + " MiB of assets" +
+                    (info.state_bytes() == 0
+                         ? std::string()
+                         : ", " + std::to_string((info.state_bytes() + (1u << 20) - 1) >> 20) +
+                               " MiB of pictures kept"),
                 report);
+  print_users(info, report);
+  print_sessions(info, report);
   for (const v1::WorkerInfo& worker : info.worker())
     print_wrapped(worker.backend() + " worker" +
                       (worker.pid() ? " " + std::to_string(worker.pid()) : "") + ": " +
@@ -111,10 +120,29 @@ void print_features(const char* what,
         report);
 }
 
+/// What one may ask for; an older server does not say all of it.
+void print_limits(const v1::Limits& limits, Report& report) {
+  const auto number = [](std::uint64_t value) { return std::to_string(value); };
+  std::string line = "limits: a picture of " + number(limits.pixels()) + " pixels";
+  if (limits.view_pixels() > 0) line += ", a view of " + number(limits.view_pixels());
+  line += "; files of " + number(limits.asset() >> 20) + " MiB, " +
+          number(limits.assets_per_job()) + " a job; " + number(limits.queued_jobs()) +
+          " jobs that have not ended";
+  if (limits.views() > 0) line += "; " + counted(limits.views(), "view", "views");
+  if (limits.watches() > 0)
+    line += " and " + counted(limits.watches(), "watch", "watches") + " a session";
+  print_wrapped(line, report);
+}
+
 void print_info(const v1::Info& info, double ping, const InfoOptions& options, Report& report) {
   const v1::Capabilities& capabilities = info.capabilities();
   const bool some = options.models || options.methods;
   if (!some) print_server(info, ping, report);
+  if (options.all) {
+    print_limits(info.limits(), report);
+    for (const v1::Choice& choice : capabilities.choice())
+      print_wrapped(choice.field() + ": " + list(choice.word()), report);
+  }
   if (options.methods || options.all) {
     print_features("backend", capabilities.backend_features(), report);
     print_features("method", capabilities.method_features(), report);
@@ -125,6 +153,17 @@ void print_info(const v1::Info& info, double ping, const InfoOptions& options, R
   report.line("more: --models, --methods, --all");
 }
 
+/// For scripts and monitors: well is who answers and takes jobs.
+ExitCode conclude_health(const v1::Info& info, Report& report) {
+  report.document()["healthy"] = info.trouble().empty();
+  if (!info.trouble().empty()) {
+    report.error(info.trouble());
+    return ExitCode::other;
+  }
+  report.line("healthy");
+  return ExitCode::done;
+}
+
 boost::asio::awaitable<ExitCode> ask_info(Session& session, const InfoOptions& options,
                                           Report& report) {
   const Answer<double> ping = co_await session.ping();
@@ -133,6 +172,7 @@ boost::asio::awaitable<ExitCode> ask_info(Session& session, const InfoOptions& o
   if (!info) co_return report.session_error(info.error());
   report.document()["ping_seconds"] = *ping;
   report.document()["info"] = to_json(*info);
+  if (options.health) co_return conclude_health(*info, report);
   print_info(*info, *ping, options, report);
   co_return ExitCode::done;
 }
@@ -150,7 +190,9 @@ void declare(InfoOptions& values, Options& options) {
   };
   add("--models", values.models, "the models and their parameters, with where they are from");
   add("--methods", values.methods, "what each backend and each method has");
-  add("--all", values.all, "all of that");
+  add("--health", values.health,
+      "say no more than whether it is well: exit code 0; 1: it says its trouble");
+  add("--all", values.all, "all of that, the limits, and the words of a scene's strings");
   declare_common(values.common, options);
 }
 

@@ -1,36 +1,53 @@
 #include "client/cli/output/pictures.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "client/cli/commands/spectra/spectra_input.h"
+#include "client/tools/text/saved_text.h"
 
 namespace metamer::cli {
 namespace {
 
 using client::ExrContent;
 using client::Pictures;
+using client::PlannedDeveloping;
 using client::SavedPicture;
 
-std::string counted_pixels(std::size_t count) {
-  return std::to_string(count) + (count == 1 ? " pixel" : " pixels");
+/// How the picture becomes numbers; false: it can't, which is said.
+bool plan_developing(const OutputOptions& options, client::PictureFiles& one, Report& report) {
+  auto planned = client::planned_developing(one.pictures.plan);
+  if (!planned)
+    return report.error("the server planned no colour space: " + planned.error().message), false;
+  one.planned = std::move(*planned);
+  one.planned.developing.bits = options.png == "16" ? 16 : 8;
+  return true;
 }
 
-/// Says what a .png had to clip, and what a spectral file does not have in common with the others.
-void note_saved(const std::string& file, const SavedPicture& saved, const Pictures& pictures,
-                const std::string& space, Report& report) {
-  const auto note = [&](std::string message) {
-    report.note({.field = {}, .file = file, .message = std::move(message)});
-  };
-  if (saved.spectral && !pictures.plan.method().has_exact())
-    note("its spectra are those of the exact method, whatever the other files are rendered by");
-  for (const client::SeenLight& one : saved.mis_seen)
-    note("its wavelengths see " + number_text(std::round(one.share * 1000) / 10) +
-         " % of the luminance of light " + quoted(one.light));
-  if (saved.clipped.negative > 0)
-    note(counted_pixels(saved.clipped.negative) + " outside the " + space + " gamut, clipped");
-  if (saved.clipped.above > 0)
-    note(counted_pixels(saved.clipped.above) + " brighter than white, clipped");
+/// Says what became of a picture's files.
+ExitCode report_saved(const client::PictureFiles& one,
+                      const std::vector<Result<SavedPicture>>& saved, const ExrContent& exr,
+                      Report& report) {
+  const PlannedDeveloping& planned = one.planned;
+  if (!planned.unadapted.empty())
+    report.note({.field = {}, .file = {}, .message = "not adapted: " + planned.unadapted});
+  const bool has_rgb = std::any_of(
+      one.files.begin(), one.files.end(),
+      [&](const std::string& file) { return !client::is_exr(file) || !(exr.xyz || exr.spectral); });
+  if (has_rgb && !planned.shown_white.empty())
+    report.note({.field = {}, .file = {}, .message = planned.shown_white});
+  ExitCode code = ExitCode::done;
+  for (std::size_t i = 0; i < saved.size(); ++i) {
+    if (!saved[i]) {
+      report.problem(saved[i].error(), {});
+      code = ExitCode::other;
+      continue;
+    }
+    for (std::string& note : client::saved_notes(*saved[i], one.pictures.plan, planned))
+      report.note({.field = {}, .file = one.files[i], .message = std::move(note)});
+    report.document()["files"].push_back(one.files[i]);
+    report.line(one.files[i]);
+  }
+  return code;
 }
 
 }  // namespace
@@ -50,33 +67,22 @@ Result<ExrContent> exr_content(const OutputOptions& options) {
 }
 
 ExitCode write_pictures(const OutputOptions& options, const Pictures& pictures, Report& report) {
-  auto planned = client::planned_developing(pictures.plan);
-  if (!planned) {
-    report.error("the server planned no colour space: " + planned.error().message);
-    return ExitCode::other;
-  }
-  planned->developing.bits = options.png == "16" ? 16 : 8;
-  if (!planned->unadapted.empty())
-    report.note({.field = {}, .file = {}, .message = "not adapted: " + planned->unadapted});
+  return write_pictures(options, {{.pictures = pictures, .files = options.files}}, report);
+}
+
+ExitCode write_pictures(const OutputOptions& options, std::vector<client::PictureFiles> all,
+                        Report& report) {
   const ExrContent exr = *exr_content(options);
-  const bool has_rgb = std::any_of(
-      options.files.begin(), options.files.end(),
-      [&](const std::string& file) { return !client::is_exr(file) || !(exr.xyz || exr.spectral); });
-  if (has_rgb && !planned->shown_white.empty())
-    report.note({.field = {}, .file = {}, .message = planned->shown_white});
-  ExitCode code = ExitCode::done;
-  for (const std::string& file : options.files) {
-    if (client::is_exr(file) && exr.spectral && !pictures.factors) continue;  // why, was said
-    const auto saved = client::save_picture(pictures, file, exr, *planned);
-    if (!saved) {
-      report.problem(saved.error(), {});
-      code = ExitCode::other;
-      continue;
-    }
-    note_saved(file, *saved, pictures, planned->developing.space.name, report);
-    report.document()["files"].push_back(file);
-    report.line(file);
+  for (client::PictureFiles& one : all) {
+    if (!plan_developing(options, one, report)) return ExitCode::other;
+    if (exr.spectral && !one.pictures.factors)
+      std::erase_if(one.files, client::is_exr);  // was said
   }
+  const auto saved = client::save_all(all, exr);
+  ExitCode code = ExitCode::done;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (const ExitCode one = report_saved(all[i], saved[i], exr, report); one != ExitCode::done)
+      code = one;
   return code;
 }
 

@@ -5,10 +5,11 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <set>
 
+#include "client/tools/mesh/import_materials.h"
+#include "client/tools/mesh/top_illuminance.h"
 #include "common/mesh/gltf/gltf_scene.h"
 #include "common/scene/limits.h"
 
@@ -42,28 +43,12 @@ class UniqueNames {
   std::set<std::string> given_;
 };
 
-/// sRGB as people write it: "#C02020".
-std::string hex_of(const Double3& linear) {
-  const auto byte = [](double x) {
-    const double encoded = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
-    return static_cast<unsigned>(std::lround(255 * std::clamp(encoded, 0.0, 1.0)));
-  };
-  char text[8];
-  std::snprintf(text, sizeof text, "#%02X%02X%02X", byte(linear[0]), byte(linear[1]),
-                byte(linear[2]));
-  return text;
-}
-
-/// Y of linear sRGB (IEC 61966-2-1).
-double luminance_of(const Double3& linear) {
-  return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2];
-}
-
 /// Builds one scene.
 class Builder {
  public:
-  Builder(const MeshFacts& facts, std::string file, const GltfScene& gltf)
-      : facts_(facts), file_(std::move(file)), gltf_(gltf) {
+  Builder(const MeshFile& mesh, const MeshFacts& facts, std::string file, const GltfScene& gltf,
+          const FileMaterials& materials)
+      : mesh_(mesh), facts_(facts), file_(std::move(file)), gltf_(gltf), materials_(materials) {
     const Vector3d low = vector_of(facts.low), high = vector_of(facts.high);
     center_ = (low + high) / 2;
     radius_ = std::max((high - low).norm() / 2, 1e-9);
@@ -71,7 +56,12 @@ class Builder {
 
   ImportedScene build() {
     result_.left_out = gltf_.left_out;
+    result_.left_out.insert(result_.left_out.end(), materials_.left_out.begin(),
+                            materials_.left_out.end());
     for (const std::string& note : facts_.notes) result_.left_out.push_back(note);
+    // Those of a glTF are its points and lines, which are named.
+    if (facts_.skipped_faces > 0 && facts_.format != "glTF")
+      result_.left_out.push_back(skipped_text(facts_));
     camera();
     lights();
     objects();
@@ -101,20 +91,24 @@ class Builder {
 
   /// Of a light in the middle of the scene, in lux.
   double illuminance(const GltfLight& light) const {
-    if (light.kind == GltfLight::Kind::directional) return light.intensity;
-    const double away = std::max((vector_of(light.position) - center_).norm(), 1e-6 * radius_);
-    return light.intensity / (away * away);
+    return illuminance_at(light, {center_.x(), center_.y(), center_.z()}, 1e-6 * radius_);
   }
 
   void lights() {
     double brightest = 0;
     for (const GltfLight& light : gltf_.lights) brightest = std::max(brightest, illuminance(light));
     if (!(brightest > 0)) return lamp();
+    const double top = top_illuminance(mesh_, gltf_.lights);
+    const double unit = top > 0 ? top : brightest;
     UniqueNames names;
     bool colored = false;
     for (const GltfLight& from : gltf_.lights) {
-      const double luminance = illuminance(from) / brightest;
-      if (!(luminance >= limits::min_luminance)) continue;
+      const double luminance = illuminance(from) / unit;
+      if (!(luminance >= limits::min_luminance && luminance <= limits::max_luminance)) {
+        result_.left_out.push_back("the light " + quoted(from.name) +
+                                   ", which is too weak or too strong");
+        continue;
+      }
       v1::Light& to = *result_.message.add_light();
       to.set_name(names(from.name, "light"));
       to.mutable_spectrum()->set_standard("D65");
@@ -122,9 +116,11 @@ class Builder {
       place(from, to);
       colored = colored || from.is_colored;
     }
+    if (result_.message.light_size() == 0) return lamp();
     result_.left_out.push_back(
-        "candela and lux: a light's luminance is relative to the brightest in the middle of the "
-        "scene; all shine as D65" +
+        "candela and lux: the lights are scaled together, so that 99.9 % of all surfaces, were "
+        "they "
+        "white and without shadows, are within a picture's range; all shine as D65" +
         std::string(colored ? ", also the coloured ones" : ""));
   }
 
@@ -176,22 +172,22 @@ class Builder {
   void add_material(const std::string& name) {
     v1::Material& to = *result_.message.add_material();
     to.set_name(name);
-    const auto from = std::find_if(gltf_.materials.begin(), gltf_.materials.end(),
-                                   [&](const GltfMaterial& one) { return one.name == name; });
-    if (from == gltf_.materials.end()) {
-      to.mutable_diffuse()->set_constant(no_color);
+    const auto from = std::find_if(materials_.materials.begin(), materials_.materials.end(),
+                                   [&](const FileMaterial& one) { return one.name == name; });
+    if (from != materials_.materials.end()) {
+      result_.left_out.push_back(fill(*from, to));
       return;
     }
-    to.mutable_diffuse()->set_constant(luminance_of(from->base_color));
-    std::string what = "material \"" + name + "\": its base colour is " + hex_of(from->base_color);
-    if (from->is_textured) what += ", times a texture";
-    if (from->is_metallic) what += ", and it is a metal";
-    result_.left_out.push_back(what + "; a neutral of its luminance stands for it");
+    to.mutable_diffuse()->set_constant(no_color);
+    result_.left_out.push_back("material " + quoted(name) +
+                               ": no base colour of it is in the file; a neutral stands for it");
   }
 
+  const MeshFile& mesh_;
   const MeshFacts& facts_;
   std::string file_;
   const GltfScene& gltf_;
+  const FileMaterials& materials_;
   Vector3d center_;
   double radius_;
   ImportedScene result_;
@@ -204,13 +200,19 @@ Result<ImportedScene> import_scene(const std::filesystem::path& mesh,
   const auto loaded = load_mesh(mesh);
   if (!loaded) return tl::unexpected(loaded.error());
   GltfScene gltf;
+  FileMaterials materials;
   const MeshFacts facts = mesh_facts(*loaded, mesh);
   if (facts.format == "glTF") {
     auto scene = load_gltf_scene(mesh);
     if (!scene) return tl::unexpected(scene.error());
     gltf = *std::move(scene);
+    if (gltf.lights.size() > limits::max_lights) {
+      gltf.lights.erase(gltf.lights.begin() + limits::max_lights, gltf.lights.end());
+      gltf.left_out.push_back("all lights but the first " + std::to_string(limits::max_lights));
+    }
+    materials = materials_of(gltf);
   } else if (facts.format == "OBJ") {
-    gltf.left_out.push_back("the colours of a .mtl: materials are neutral");
+    materials = load_obj_materials(mesh);
   }
   std::error_code error;
   const auto absolute = std::filesystem::weakly_canonical(mesh, error);
@@ -223,7 +225,7 @@ Result<ImportedScene> import_scene(const std::filesystem::path& mesh,
                                   .message = "lies outside the scene's folder, " +
                                              quoted(folder.string()) +
                                              ": put the scene into the mesh's folder or above it"});
-  return Builder(facts, relative, gltf).build();
+  return Builder(*loaded, facts, relative, gltf, materials).build();
 }
 
 std::string scene_text(const ImportedScene& scene, const std::filesystem::path& mesh) {
@@ -235,6 +237,7 @@ std::string scene_text(const ImportedScene& scene, const std::filesystem::path& 
   std::string body;
   google::protobuf::TextFormat::Printer printer;
   printer.SetUseUtf8StringEscaping(true);
+  printer.SetUseShortRepeatedPrimitives(true);
   printer.PrintToString(scene.message, &body);
   return text + "\n" + body;
 }

@@ -12,10 +12,11 @@ struct ImportedScene {
   std::vector<std::string> left_out;
 };
 
-/// One object for each part; the file's materials as neutrals of their base colours' luminance; its
-/// first camera, or one that sees all of it; its lights under D65, their luminance relative to the
-/// brightest in the middle of the scene, or one lamp. `scene_folder`: where the scene file will be;
-/// the mesh has to lie in it or below. Errors: those of load_mesh; a mesh elsewhere.
+/// One object for each part; the file's materials, an OBJ's by its .mtl, with reflectances that
+/// look as their colours under D65 (import_materials); its first camera, or one that sees all of
+/// it; its lights under D65, their luminance relative to top_illuminance(), or one lamp.
+/// `scene_folder`: where the scene file will be; the mesh has to lie in it or below.
+/// Errors: those of load_mesh; a mesh elsewhere.
 Result<ImportedScene> import_scene(const std::filesystem::path& mesh,
                                    const std::filesystem::path& scene_folder);
 

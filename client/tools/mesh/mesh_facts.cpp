@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "client/tools/text/job_text.h"
 #include "common/mesh/vertex.h"
 #include "common/scene/files.h"
 #include "common/scene/limits.h"
@@ -106,6 +107,10 @@ MeshFacts mesh_facts(const MeshFile& mesh, const std::filesystem::path& path) {
   facts.uvs = static_cast<std::uint64_t>(std::count_if(
       mesh.uvs.begin(), mesh.uvs.end(), [](const Float2& uv) { return std::isfinite(uv[0]); }));
   return facts;
+}
+
+std::string skipped_text(const MeshFacts& facts) {
+  return counted(facts.skipped_faces, "face that spans", "faces that span") + " no triangle";
 }
 
 }  // namespace metamer::client

@@ -40,4 +40,7 @@ Result<GltfScene> load_gltf_scene(const std::filesystem::path& path);
 /// Of a file that was read from `path`.
 MeshFacts mesh_facts(const MeshFile& mesh, const std::filesystem::path& path);
 
+/// "2 faces that span no triangle"
+std::string skipped_text(const MeshFacts& facts);
+
 }  // namespace metamer::client

@@ -10,6 +10,14 @@ namespace metamer::client {
 
 White srgb_white() { return {"D65 (sRGB)", srgb::to_xyz({1, 1, 1})}; }
 
+Result<White> white_under(const std::string& name, const Spectrum& light,
+                          const Observer& observer) {
+  const Xyz white = white_of(light, observer);
+  if (!std::all_of(white.begin(), white.end(), [](double value) { return value > 0; }))
+    return problem(quoted(name) + " is no white to this observer");
+  return White{name, white};
+}
+
 tl::expected<PicturePair, std::vector<Problem>> read_pair(
     const std::array<std::string, 2>& files, const Viewing& viewing,
     const std::array<PictureChoice, 2>& choices) {

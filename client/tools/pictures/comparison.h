@@ -22,6 +22,9 @@ struct White {
 /// R = G = B = 1 of sRGB.
 White srgb_white();
 
+/// Of a light. Error: the observer sees no X, Y or Z of it, so that nothing compares with it.
+Result<White> white_under(const std::string& name, const Spectrum& light, const Observer& observer);
+
 using PicturePair = std::array<XyzPicture, 2>;
 
 /// Both pictures as X Y Z, each as its choice means it. The errors are what is wrong with each file

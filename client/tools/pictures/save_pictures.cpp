@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <google/protobuf/text_format.h>
+#include <tbb/parallel_for.h>
 #include <cerrno>
 #include <cstring>
 
@@ -103,6 +104,20 @@ Result<SavedPicture> save_picture(const Pictures& pictures, const std::string& f
         if (!is_exr(file)) saved.clipped = clipped;
         return saved;
       });
+}
+
+std::vector<std::vector<Result<SavedPicture>>> save_all(const std::vector<PictureFiles>& all,
+                                                        const ExrContent& exr) {
+  std::vector<std::vector<Result<SavedPicture>>> saved(all.size());
+  const auto save = [&](std::size_t i) {
+    for (const std::string& file : all[i].files)
+      saved[i].push_back(save_picture(all[i].pictures, file, exr, all[i].planned));
+  };
+  if (exr.spectral)
+    for (std::size_t i = 0; i < all.size(); ++i) save(i);
+  else
+    tbb::parallel_for(std::size_t{0}, all.size(), save);
+  return saved;
 }
 
 }  // namespace metamer::client

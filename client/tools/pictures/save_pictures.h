@@ -57,4 +57,16 @@ struct SavedPicture {
 Result<SavedPicture> save_picture(const Pictures& pictures, const std::string& file,
                                   const ExrContent& exr, const PlannedDeveloping& planned);
 
+/// Files that one picture is to be written into.
+struct PictureFiles {
+  Pictures pictures;
+  std::vector<std::string> files;
+  PlannedDeveloping planned = {};
+};
+
+/// The same of several pictures, side by side on all threads; what became of each file, by picture.
+/// Spectral files, which may take 1 GiB each, come one after the other.
+std::vector<std::vector<Result<SavedPicture>>> save_all(const std::vector<PictureFiles>& all,
+                                                        const ExrContent& exr);
+
 }  // namespace metamer::client

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/scene/files.h"
+#include "common/scene/looks/validate_looks.h"
 #include "common/scene/validate.h"
 #include "common/spectral/files/spectrum_file.h"
 
@@ -28,7 +29,8 @@ CheckedScene CheckedScene::parse(std::string text, const fs::path& file, DigestC
   if (change) {
     Result<std::vector<Replaced>> replaced = change(result.parsed_->scene());
     if (!replaced) {
-      result.problems_.push_back(std::move(replaced.error()));
+      Problem& wrong = replaced.error();
+      result.problems_.push_back(wrong.field.empty() ? wrong : result.locate(wrong));
       return result;
     }
     result.replaced_ = std::move(*replaced);
@@ -53,6 +55,8 @@ fs::path CheckedScene::folder() const {
 void CheckedScene::check(DigestCache& digests) {
   // Find what is wrong with the scene itself and with its files' names, all of it.
   std::vector<Problem> problems = validate_scene(scene());
+  const std::vector<Problem> looks = validate_looks(scene());
+  problems.insert(problems.end(), looks.begin(), looks.end());
   Elsewhere elsewhere;
   for (const Replaced& one : replaced_)
     if (!one.file.empty()) elsewhere[one.field] = one.file;
@@ -72,11 +76,13 @@ void CheckedScene::check(DigestCache& digests) {
 }
 
 std::vector<Problem> CheckedScene::check_spectra() const {
-  return validate_spectra(scene(), [this](const std::string& name) -> Result<std::string> {
-    if (const Asset* asset = find_asset(name))
-      if (Result<std::string> bytes = read_file(asset->path, max_spectrum_file)) return bytes;
-    return problem("cannot read \"" + name + "\"");
-  });
+  return validate_spectra(scene(), [this](const std::string& name) { return read_asset(name); });
+}
+
+Result<std::string> CheckedScene::read_asset(const std::string& name) const {
+  if (const Asset* asset = find_asset(name))
+    if (Result<std::string> bytes = read_file(asset->path, asset->size)) return bytes;
+  return problem("cannot read \"" + name + "\"");
 }
 
 const Asset* CheckedScene::find_asset(std::string_view name) const {
@@ -91,20 +97,23 @@ const v1::Scene& CheckedScene::scene() const {
 
 std::vector<Problem> CheckedScene::locate(const std::vector<Problem>& problems) const {
   std::vector<Problem> located;
-  std::set<std::string> told;
-  for (const Problem& one : problems)
-    if (replaced_by(replaced_, one.field).empty() || told.insert(one.message).second)
-      located.push_back(locate(one));
+  std::set<std::pair<std::string, std::string>> told;
+  for (const Problem& one : problems) {
+    Problem placed = locate(one);
+    if (told.emplace(placed.field, placed.message).second) located.push_back(std::move(placed));
+  }
   return located;
 }
 
 Problem CheckedScene::locate(Problem problem) const {
   // Blame what took the field's place.
-  const std::string by = replaced_by(replaced_, problem.field);
-  if (!by.empty()) {
-    problem.message = by + ": " + problem.message;
-    problem.field.clear();
-    return problem;
+  if (const Replaced* one = find_replaced(replaced_, problem.field)) {
+    if (one->from.empty()) {
+      problem.message = one->by + ": " + problem.message;
+      problem.field.clear();
+      return problem;
+    }
+    problem.field = one->from + problem.field.substr(one->field.size());
   }
   // A fault inside a file, at a line that is known, is best shown there; name the file as the user
   // would: as seen from here, not from the scene's folder.

@@ -39,7 +39,13 @@ class CheckedScene {
   const v1::Scene& scene() const;
   /// The files that it names; none where one of them is wrong.
   const std::vector<Asset>& assets() const { return assets_; }
+  /// The bytes of one that holds a spectrum or an observer, by its name in the scene: an
+  /// AssetReader.
+  Result<std::string> read_asset(const std::string& name) const;
+  std::filesystem::path folder() const;
   std::string name() const { return file_.filename().string(); }
+  /// As problems in its text name it.
+  std::string file() const { return file_.string(); }
 
   /// Puts problems, found by anyone, at their places: in the scene's text, in a file that the scene
   /// names, or at what replaced the field ("--spp: must be above 0").
@@ -51,7 +57,6 @@ class CheckedScene {
 
  private:
   explicit CheckedScene(const std::filesystem::path& file) : file_(file) {}
-  std::filesystem::path folder() const;
   void check(DigestCache& digests);
   std::vector<Problem> check_spectra() const;
   const Asset* find_asset(std::string_view name) const;

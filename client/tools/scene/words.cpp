@@ -38,9 +38,10 @@ std::vector<std::string> words_of(const EnumDescriptor& type) {
 Result<int> value_named(const std::string& word, const char* what, const EnumDescriptor& type) {
   if (const EnumValueDescriptor* value = find(word, type)) return value->number();
   const std::vector<std::string> words = words_of(type);
-  const std::string hint = did_you_mean(word, words);
-  return problem("no " + std::string(what) + " named " + quoted(word) +
-                 (hint.empty() ? "; there are " + join(words) : hint));
+  Problem unknown =
+      metamer::unknown_name("no " + std::string(what) + " named " + quoted(word), word, words);
+  if (unknown.meant.empty()) unknown.message += "; there are " + join(words);
+  return tl::unexpected(std::move(unknown));
 }
 
 Result<v1::Observer> observer_named(const std::string& word) {
@@ -54,7 +55,8 @@ Result<v1::Adaptation> adaptation_named(const std::string& word) {
     const auto adaptation = static_cast<v1::Adaptation>(value);
     if (find_adaptation(word) == to_adaptation(adaptation)) return adaptation;
   }
-  return problem("no adaptation named " + quoted(word) + did_you_mean(word, adaptation_words()));
+  return tl::unexpected(
+      metamer::unknown_name("no adaptation named " + quoted(word), word, adaptation_words()));
 }
 
 Result<v1::RgbSpace> rgb_space_named(const std::string& word) {
@@ -62,7 +64,8 @@ Result<v1::RgbSpace> rgb_space_named(const std::string& word) {
     const auto space = static_cast<v1::RgbSpace>(value);
     if (rgb_space(to_standard_space(space)).word == word) return space;
   }
-  return problem("no RGB space named " + quoted(word) + did_you_mean(word, rgb_space_words()));
+  return tl::unexpected(
+      metamer::unknown_name("no RGB space named " + quoted(word), word, rgb_space_words()));
 }
 
 }  // namespace metamer::client

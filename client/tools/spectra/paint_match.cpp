@@ -22,6 +22,30 @@ Result<std::vector<PaintMatch>> match_paints(const Spectrum& reference,
   return matches;
 }
 
+std::optional<std::pair<std::size_t, std::size_t>> metameric_pair(
+    const std::vector<NamedSpectrum>& paints, const std::vector<NamedSpectrum>& lights,
+    const Observer& observer) {
+  constexpr double alike = 1;
+  std::optional<std::pair<std::size_t, std::size_t>> pair;
+  double farthest = 0;
+  const std::size_t count = std::min(paints.size(), most_paired);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 1; j < count; ++j) {
+      // The first light alone tells most of them apart.
+      const auto first =
+          metamerism(paints[i].spectrum, paints[j].spectrum, {lights.front()}, observer);
+      if (!first || first->front().de00 >= alike) continue;
+      const auto under = metamerism(paints[i].spectrum, paints[j].spectrum, lights, observer);
+      if (!under) continue;
+      for (const Mismatch& one : *under)
+        if (one.de00 > farthest) {
+          farthest = one.de00;
+          pair = {i, j};
+        }
+    }
+  return pair;
+}
+
 const PaintMatch& nearest(const std::vector<PaintMatch>& matches) {
   return *std::min_element(
       matches.begin(), matches.end(),

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/color/metamerism.h"
@@ -28,5 +30,13 @@ Result<std::vector<PaintMatch>> match_paints(const Spectrum& reference,
 /// The candidate whose largest ΔE00 is the smallest; of equals the first. `matches` has at least
 /// one.
 const PaintMatch& nearest(const std::vector<PaintMatch>& matches);
+
+/// The places of two paints that could be taken for each other under the first light (ΔE00 below 1)
+/// and part the most under another; nothing: no two can. Of many paints the first `most_paired`
+/// are looked at. A dark light parts none.
+std::optional<std::pair<std::size_t, std::size_t>> metameric_pair(
+    const std::vector<NamedSpectrum>& paints, const std::vector<NamedSpectrum>& lights,
+    const Observer& observer);
+inline constexpr std::size_t most_paired = 64;
 
 }  // namespace metamer::client

@@ -53,4 +53,10 @@ Result<NormalizedSpectrum> normalized(const LoadedSpectrum& one, const Observer&
   return result;
 }
 
+LoadedSpectrum scaled(LoadedSpectrum one, double factor) {
+  for (Spectrum* spectrum : {&one.samples, &one.curve.spectrum})
+    for (double& value : spectrum->values) value *= factor;
+  return one;
+}
+
 }  // namespace metamer::client

@@ -31,4 +31,7 @@ struct NormalizedSpectrum {
 Result<NormalizedSpectrum> normalized(const LoadedSpectrum& one, const Observer& observer,
                                       double luminance);
 
+/// The same light or reflectance, all its values multiplied; what is between its samples, too.
+LoadedSpectrum scaled(LoadedSpectrum one, double factor);
+
 }  // namespace metamer::client

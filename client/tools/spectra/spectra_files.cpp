@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <utility>
 
-#include "client/tools/spectra/picture_spectra.h"
 #include "client/tools/spectra/spectrum_word.h"
 #include "common/color/illuminants.h"
+#include "common/image/pixel_spectrum.h"
 #include "common/printable.h"
 #include "common/scene/files.h"
 #include "common/spectral/cie.h"
@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 tl::unexpected<Problem> no_such(const std::string& word) {
   std::vector<std::string> known = cie::illuminant_names();
   known.insert(known.end(), cie::test_color_names().begin(), cie::test_color_names().end());
-  return problem("there is no file, CIE illuminant or test colour " + metamer::quoted(word) +
-                 did_you_mean(word, known));
+  return tl::unexpected(metamer::unknown_name(
+      "there is no file, CIE illuminant or test colour " + metamer::quoted(word), word, known));
 }
 
 Result<SpectrumFile> read_text(const std::string& name, const SpectrumChoice& choice,
@@ -36,7 +36,7 @@ Result<SpectrumFile> read_text(const std::string& name, const SpectrumChoice& ch
 Result<std::vector<LoadedSpectrum>> read_spectra(const std::string& name,
                                                  const SpectrumChoice& choice,
                                                  std::string& source) {
-  auto file = is_picture_of_spectra(name) ? read_picture_spectrum(name, choice.entry)
+  auto file = is_picture_of_spectra(name) ? read_pixel_spectrum(fs::path(name), choice.entry)
                                           : read_text(name, choice, source);
   if (!file) return tl::unexpected(std::move(file.error()));
   std::vector<LoadedSpectrum> loaded;
@@ -125,6 +125,9 @@ std::string first_choice(const std::string& word, const std::vector<LoadedSpectr
 /// Takes a file's samples for what they are; a table of the CIE's is as it is.
 SpectrumResult<void> interpolate(LoadedSpectrum& one, std::optional<Interpolation> asked) {
   if (one.computed) return {};
+  if (one.emission() && one.samples.nm.size() == 1)
+    one.notes.push_back("a line, as it has a single sample, at " +
+                        number_text(one.samples.nm.front()) + " nm");
   auto curve = interpolated(one.samples, asked, one.role());
   if (!curve) return bad_choice(one.label + ": " + curve.error().message);
   one.curve = std::move(*curve);
@@ -173,6 +176,12 @@ std::string reflectance_fault(const Spectrum& spectrum) {
       return "a reflectance lies in 0..1 (it is " + number_text(spectrum.values[i]) + " at " +
              number_text(spectrum.nm[i]) + " nm)";
   return {};
+}
+
+std::optional<Quantity> common_quantity(const std::vector<LoadedSpectrum>& spectra) {
+  for (const LoadedSpectrum& one : spectra)
+    if (one.quantity != spectra.front().quantity) return std::nullopt;
+  return spectra.empty() ? std::nullopt : std::optional(spectra.front().quantity);
 }
 
 SpectrumFormat format_for(const std::string& file) {

@@ -36,6 +36,9 @@ struct LoadedSpectrum {
   SpectrumRole role() const { return emission() ? SpectrumRole::emission : SpectrumRole::property; }
 };
 
+/// What all of them are; nothing: they are of several kinds.
+std::optional<Quantity> common_quantity(const std::vector<LoadedSpectrum>& spectra);
+
 /// What is asked for of files.
 struct SpectrumChoice {
   std::optional<std::string> entry = {};  ///< The one of that name; nothing: all of them.

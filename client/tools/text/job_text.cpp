@@ -18,7 +18,8 @@ std::string tiles(std::uint32_t done, std::uint32_t all) {
 std::string describe_kind(const v1::JobEvent& event) {
   switch (event.event_case()) {
     case v1::JobEvent::kQueued:
-      return "queued, " + std::to_string(event.queued().position()) + " ahead";
+      return "queued, " + std::to_string(event.queued().position()) + " ahead" +
+             (event.queued().reason().empty() ? "" : ": " + printable(event.queued().reason()));
     case v1::JobEvent::kStarted:
       return "started, attempt " + std::to_string(event.started().attempt());
     case v1::JobEvent::kPlanned:
@@ -37,6 +38,10 @@ std::string describe_kind(const v1::JobEvent& event) {
     case v1::JobEvent::kPreview:
       return "preview " + std::to_string(event.preview().width()) + 'x' +
              std::to_string(event.preview().height());
+    case v1::JobEvent::kPreparing:
+      return std::string("preparing: ") + word(event.preparing().stage());
+    case v1::JobEvent::kPrepared:
+      return "prepared: " + prepared_text(event.prepared().timing());
     case v1::JobEvent::kPaused:
       return "paused";
     case v1::JobEvent::kRetrying:
@@ -92,6 +97,11 @@ std::string describe(const v1::Timing& timing) {
          formatted("), %.2f s in all", timing.total());
 }
 
+std::string prepared_text(const v1::Timing& timing) {
+  return formatted("%.3f s reading, %.3f s hierarchy, %.3f s choosing, %.3f s tables",
+                   timing.compile(), timing.acceleration(), timing.pilot(), timing.prepare());
+}
+
 const char* word(v1::JobState state) {
   switch (state) {
     case v1::QUEUED:
@@ -111,14 +121,40 @@ const char* word(v1::JobState state) {
   }
 }
 
+const char* word(v1::Preparing::Stage stage) {
+  switch (stage) {
+    case v1::Preparing::READING:
+      return "reading";
+    case v1::Preparing::HIERARCHY:
+      return "hierarchy";
+    case v1::Preparing::PLANNING:
+      return "planning";
+    case v1::Preparing::TABLES:
+      return "tables";
+    default:
+      return "unknown";
+  }
+}
+
 std::string describe(const v1::JobSummary& job) {
   std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), "%16llu  %-9s  %11s  %8s  ",
+  std::snprintf(text.data(), text.size(), "%16llu  %-9s  %11s  %8s  %-3s  ",
                 static_cast<unsigned long long>(job.job_id()), word(job.state()),
                 job.tiles() > 0 ? tiles(job.tiles_done(), job.tiles()).c_str() : "-",
-                clock(job.age()).c_str());
-  const std::string reason = job.reason().empty() ? "" : "  (" + printable(job.reason()) + ")";
-  return text.data() + printable(job.name()) + reason;
+                clock(job.age()).c_str(), job.backend() == v1::GL ? "gl" : "cpu");
+  const std::string user = job.user().empty() ? "-" : printable(job.user());
+  const bool failed = job.state() == v1::FAILED && !job.reason().empty();
+  const std::string reason = failed ? "  (" + printable(job.reason()) + ")" : "";
+  return text.data() + user + "  " + printable(job.name()) + reason;
+}
+
+std::string waiting_text(const v1::JobSummary& job) {
+  if (job.state() == v1::PAUSED) return "waits: it is paused, until it is resumed";
+  if (job.state() != v1::QUEUED) return {};
+  std::string text =
+      "waits: " + (job.reason().empty() ? "its turn is next" : printable(job.reason()));
+  if (job.priority() != 0) text += "; its priority is " + std::to_string(job.priority());
+  return text;
 }
 
 std::string describe(const v1::JobEvent& event) {

@@ -12,12 +12,18 @@ namespace metamer::client {
 std::string describe(const v1::Plan& plan);
 /// "1.24 s rendering (45.1 Mrays/s), 1.50 s in all"
 std::string describe(const v1::Timing& timing);
-/// "  7  running   120/300  0:42  booth.txtpb": number, state, tiles, age, name, reason.
+/// "0.120 s reading, 0.031 s hierarchy, 0.000 s choosing, 0.004 s tables": before the first tile.
+std::string prepared_text(const v1::Timing& timing);
+/// "  7  running   120/300  0:42  cpu  alice  booth.txtpb": number, state, tiles, age, backend,
+/// whose, name, and why it failed.
 std::string describe(const v1::JobSummary& job);
+/// "waits: 2 of the same user's are ahead"; empty where it waits for nothing.
+std::string waiting_text(const v1::JobSummary& job);
 /// "12  3.204 s  progress 120/300 tiles, 1200000 rays": one line, no pixels.
 std::string describe(const v1::JobEvent& event);
 
 const char* word(v1::JobState state);
+const char* word(v1::Preparing::Stage stage);
 
 /// "0:07", "1:02:03"; "-:--" for what is no sensible time.
 std::string clock(double seconds);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "common/scene/methods.h"
 #include "common/scene/settings.h"
@@ -44,21 +45,33 @@ std::vector<TradeoffCase> tradeoff_cases() {
   return cases;
 }
 
+std::vector<bool> pareto_front(std::span<const double> costs, std::span<const double> errors) {
+  std::vector<std::size_t> order(costs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return costs[a] != costs[b] ? costs[a] < costs[b] : errors[a] < errors[b];
+  });
+  std::vector<bool> front(costs.size(), false);
+  double best = std::numeric_limits<double>::infinity();
+  for (const std::size_t i : order) {
+    front[i] = errors[i] < best;
+    best = std::min(best, errors[i]);
+  }
+  return front;
+}
+
 void mark_front(std::vector<TradeoffRow>& rows) {
   std::vector<TradeoffRow*> good;
+  std::vector<double> costs, errors;
   for (TradeoffRow& row : rows) {
     row.front = false;
-    if (row.failure.empty()) good.push_back(&row);
+    if (!row.failure.empty()) continue;
+    good.push_back(&row);
+    costs.push_back(row.seconds());
+    errors.push_back(row.error.percentile_95);
   }
-  std::stable_sort(good.begin(), good.end(), [](const TradeoffRow* a, const TradeoffRow* b) {
-    if (a->seconds() != b->seconds()) return a->seconds() < b->seconds();
-    return a->error.percentile_95 < b->error.percentile_95;
-  });
-  double best = std::numeric_limits<double>::infinity();
-  for (TradeoffRow* row : good) {
-    row->front = row->error.percentile_95 < best;
-    best = std::min(best, row->error.percentile_95);
-  }
+  const std::vector<bool> front = pareto_front(costs, errors);
+  for (std::size_t i = 0; i < good.size(); ++i) good[i]->front = front[i];
 }
 
 std::optional<double> rgb_seconds(const Tradeoff& tradeoff) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -49,8 +50,10 @@ v1::Method tradeoff_reference();
 /// Every method over its parameters; the naive rgb comes first.
 std::vector<TradeoffCase> tradeoff_cases();
 
-/// Marks the Pareto front of the rows that rendered: ordered by seconds, each of it has a smaller
-/// 95th percentile than all that are cheaper.
+/// Of as many costs and errors, which are on the Pareto front: ordered by cost, each of it has a
+/// smaller error than all that are cheaper.
+std::vector<bool> pareto_front(std::span<const double> costs, std::span<const double> errors);
+/// Marks that of the rows that rendered, by seconds and the 95th percentile.
 void mark_front(std::vector<TradeoffRow>& rows);
 
 /// Seconds that the naive rgb took; nothing where it failed or took none.

@@ -55,6 +55,16 @@ std::optional<Xyz> parse_xyz(std::string_view text) {
   return next == end ? std::optional(xyz) : std::nullopt;
 }
 
+/// A light as white; nothing where it is none, which is said.
+std::optional<White> white_of_light(const std::string& option, const std::string& word,
+                                    const Spectrum& light, const Observer& observer,
+                                    Report& report) {
+  auto white = client::white_under(word, light, observer);
+  if (white) return std::move(*white);
+  report.error(option + ": " + white.error().message);
+  return std::nullopt;
+}
+
 /// What --white says; else the light of --under; else sRGB's white. Nothing where that is none,
 /// which is said.
 std::optional<White> find_white(const CompareOptions& options, const Observer& observer,
@@ -70,12 +80,12 @@ std::optional<White> find_white(const CompareOptions& options, const Observer& o
     return std::nullopt;
   }
   if (!options.white.empty()) {
-    const auto light = load_light(options.white, "--white", report);
+    const auto light = load_light(options.white, "--white", observer, report);
     if (!light) return std::nullopt;
-    return White{options.white, metamer::white_of(*light, observer)};
+    return white_of_light("--white", options.white, *light, observer, report);
   }
   if (options.under.empty()) return client::srgb_white();
-  return White{options.under, metamer::white_of(under, observer)};
+  return white_of_light("--under", options.under, under, observer, report);
 }
 
 void print_difference(const Difference& difference, Report& report) {
@@ -193,8 +203,13 @@ ExitCode compare_with(const CompareOptions& options, Report& report) {
   const auto observer = load_observer(options.observer, report);
   if (!observer) return ExitCode::bad_input;
   std::optional<Spectrum> under;
-  if (!options.under.empty()) under = load_light(options.under, "--under", report);
+  if (!options.under.empty()) under = load_light(options.under, "--under", *observer, report);
   if (!options.under.empty() && !under) return ExitCode::bad_input;
+  if (under && !(metamer::white_of(*under, *observer)[1] > 0)) {
+    report.error("--under: " + quoted(options.under) +
+                 " stays dark: the observer sees nothing of it");
+    return ExitCode::bad_input;
+  }
   const auto white = find_white(options, *observer, under.value_or(Spectrum{}), report);
   if (!white) return ExitCode::bad_input;
   const auto pictures = read_both(options, *observer, under.value_or(Spectrum{}), report);

@@ -5,6 +5,7 @@
 #include "client/cli/report.h"
 #include "client/cli/shared_options.h"
 #include "client/tools/mesh/import_scene.h"
+#include "client/tools/text/job_text.h"
 #include "common/image/whole_file.h"
 
 namespace metamer::cli {
@@ -19,6 +20,10 @@ ExitCode run(const ImportOptions& options) {
   Report report(options.json);
   std::error_code none;
   const std::filesystem::path output = options.output;
+  if (output.extension() != ".txtpb") {
+    report.error(quoted(options.output) + " is no scene: a scene's name ends in .txtpb");
+    return report.finish(ExitCode::bad_input);
+  }
   if (!options.force && std::filesystem::exists(output, none)) {
     report.error(quoted(options.output) + " is there already; --force writes over it");
     return report.finish(ExitCode::bad_input);
@@ -40,9 +45,12 @@ ExitCode run(const ImportOptions& options) {
   report.document()["materials"] = scene->message.material_size();
   report.document()["lights"] = scene->message.light_size();
   report.document()["left_out"] = scene->left_out;
-  report.line(options.output + ": " + std::to_string(scene->message.object_size()) + " objects, " +
-              std::to_string(scene->message.material_size()) + " materials, " +
-              std::to_string(scene->message.light_size()) + " lights");
+  const auto number = [](int count, const char* one, const char* many) {
+    return client::counted(static_cast<std::uint64_t>(count), one, many);
+  };
+  report.line(options.output + ": " + number(scene->message.object_size(), "object", "objects") +
+              ", " + number(scene->message.material_size(), "material", "materials") + ", " +
+              number(scene->message.light_size(), "light", "lights"));
   return report.finish(ExitCode::done);
 }
 
@@ -64,8 +72,7 @@ void declare(ImportOptions& values, Options& options) {
 
 Command commands::import_mesh() {
   return make_command<ImportOptions>(
-      "import", "make a scene of a mesh file: objects, camera, lights, neutral materials", declare,
-      run);
+      "import", "make a scene of a mesh file: objects, camera, lights, materials", declare, run);
 }
 
 }  // namespace metamer::cli

@@ -3,10 +3,12 @@
 #include "client/cli/report.h"
 #include "client/cli/shared_options.h"
 #include "client/tools/mesh/mesh_facts.h"
+#include "client/tools/text/job_text.h"
 
 namespace metamer::cli {
 namespace {
 
+using client::counted;
 using client::MeshFacts;
 using client::MeshPart;
 
@@ -44,11 +46,11 @@ Json mesh_json(const MeshFacts& facts) {
 std::string share(std::uint64_t some, std::uint64_t all) {
   if (some == all) return "of all vertices";
   if (some == 0) return "none";
-  return "of " + std::to_string(some) + " vertices";
+  return "of " + counted(some, "vertex", "vertices");
 }
 
 std::string part_text(const MeshPart& part) {
-  std::string text = "  " + std::to_string(part.triangles) + " triangles";
+  std::string text = "  " + counted(part.triangles, "triangle", "triangles");
   if (!part.object.empty()) text += ", object " + spelled(part.object);
   if (!part.material.empty()) text += ", material " + spelled(part.material);
   if (!part.part.empty()) text += "; part: " + spelled(part.part);
@@ -56,8 +58,8 @@ std::string part_text(const MeshPart& part) {
 }
 
 void print_mesh(const std::string& file, const MeshFacts& facts, Report& report) {
-  report.line(file + ": " + facts.format + ", " + std::to_string(facts.vertices) + " vertices, " +
-              std::to_string(facts.triangles) + " triangles");
+  report.line(file + ": " + facts.format + ", " + counted(facts.vertices, "vertex", "vertices") +
+              ", " + counted(facts.triangles, "triangle", "triangles"));
   std::string bounds;
   for (std::size_t k = 0; k < 3; ++k)
     bounds += std::string(k > 0 ? ", " : "") + "xyz"[k] + " " + number_text(facts.low[k]) + " to " +
@@ -65,8 +67,7 @@ void print_mesh(const std::string& file, const MeshFacts& facts, Report& report)
   report.line("bounds: " + bounds);
   report.line("normals: " + share(facts.normals, facts.vertices) +
               "; UVs: " + share(facts.uvs, facts.vertices));
-  if (facts.skipped_faces > 0)
-    report.line("skipped: " + std::to_string(facts.skipped_faces) + " faces that span no triangle");
+  if (facts.skipped_faces > 0) report.line("skipped: " + skipped_text(facts));
   for (const std::string& note : facts.notes) report.line("note: " + note);
   report.line("parts: " + std::to_string(facts.parts.size()));
   for (std::size_t i = 0; i < std::min(facts.parts.size(), most_shown); ++i)

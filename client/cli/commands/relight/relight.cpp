@@ -1,40 +1,18 @@
-#include "client/relight/relight.h"
-
 #include <chrono>
 #include <filesystem>
 
 #include "client/cli/commands.h"
 #include "client/cli/commands/relight/file_names.h"
-#include "client/cli/commands/relight/variants.h"
+#include "client/cli/commands/relight/relighting.h"
+#include "client/cli/commands/relight/sheet.h"
 #include "client/cli/commands/spectra/spectra_input.h"
 #include "client/cli/development.h"
 #include "client/cli/output/output.h"
 #include "client/cli/output/pictures.h"
-#include "client/tools/pictures/contact_sheet.h"
 #include "client/tools/pictures/relit.h"
-#include "client/tools/text/formatted.h"
-#include "common/image/compare.h"
 
 namespace metamer::cli {
 namespace {
-
-using client::formatted;
-using Clock = std::chrono::steady_clock;
-
-struct RelightOptions {
-  bool json = false;
-  std::string file;                    ///< What --keep-factors wrote.
-  std::vector<std::string> lights;     ///< "ceiling=F11", "*=lamp.txt", "key=lamps.sp#warm"
-  std::vector<std::string> materials;  ///< "door=red.sp", "door.specular=gloss.txt"
-  std::optional<std::string> observer;
-  std::string sheet;  ///< A .png of all pictures; empty: none.
-  DevelopmentOptions development;
-  OutputOptions output;
-};
-
-double milliseconds(Clock::time_point from, Clock::time_point to) {
-  return std::chrono::duration<double, std::milli>(to - from).count();
-}
 
 template <class List>
 std::vector<std::string> names_of(const List& list) {
@@ -42,13 +20,6 @@ std::vector<std::string> names_of(const List& list) {
   for (const auto& one : list) names.push_back(one.name());
   return names;
 }
-
-/// All that is made of one file of factors.
-struct RelightWork {
-  Factors factors;  ///< Its plan has the observer and the development that the options say.
-  v1::SceneFactors scene;
-  std::vector<Variant> lights, materials;
-};
 
 /// Takes the options' observer and development into the plan and the scene.
 bool apply_options(const RelightOptions& options, RelightWork& work, Report& report) {
@@ -89,127 +60,6 @@ std::string said(const RelightOptions& options, const Variant& light, const Vari
   return text;
 }
 
-/// The pictures under one light after the other, and what becomes of them.
-class Relighting {
- public:
-  Relighting(const RelightOptions& options, RelightWork& work, Report& report)
-      : options_(options), work_(work), report_(report), swapper_(work.factors, report) {
-    sheet_.cells.resize(work.lights.size() * work.materials.size());
-    for (const Variant& light : work.lights) sheet_.lights.push_back(light.label);
-    for (const Variant& material : work.materials) sheet_.candidates.push_back(material.label);
-  }
-
-  /// Lets every spectrum be read before any picture is written.
-  bool check();
-  ExitCode draw();
-  ExitCode write_sheet();
-  double milliseconds_of_light() const { return milliseconds_; }
-
- private:
-  ExitCode draw_one(std::size_t light, std::size_t material);
-  void add_to_sheet(std::size_t light, std::size_t material, const Image& image);
-  bool several() const { return sheet_.cells.size() > 1; }
-
-  const RelightOptions& options_;
-  RelightWork& work_;
-  Report& report_;
-  Swapper swapper_;
-  client::Sheet sheet_;
-  Image reference_;  ///< Of the light that is at work, with the first material.
-  double milliseconds_ = 0;
-};
-
-bool Relighting::check() {
-  bool good = true;
-  v1::SceneFactors scene = work_.scene;
-  for (const Variant& light : work_.lights) good = swapper_.swap_lights(light, scene) && good;
-  for (const Variant& material : work_.materials)
-    good = swapper_.swap_materials(material, scene) && good;
-  return good;
-}
-
-ExitCode Relighting::draw() {
-  ExitCode code = ExitCode::done;
-  for (std::size_t light = 0; light < work_.lights.size(); ++light)
-    for (std::size_t material = 0; material < work_.materials.size(); ++material)
-      if (const ExitCode one = draw_one(light, material); one != ExitCode::done) code = one;
-  return code;
-}
-
-ExitCode Relighting::draw_one(std::size_t light, std::size_t material) {
-  const Variant &lit = work_.lights[light], &painted = work_.materials[material];
-  v1::SceneFactors scene = work_.scene;
-  swapper_.swap_lights(lit, scene);
-  swapper_.swap_materials(painted, scene);
-  client::plan_relit(scene, work_.factors.plan);
-  const auto start = Clock::now();
-  Image image = relight(work_.factors, scene, client::observer_of(work_.factors.plan, scene));
-  milliseconds_ += milliseconds(start, Clock::now());
-  Json& document = report_.document();
-  document["plan"] = to_json(work_.factors.plan);
-  if (several())
-    document["pictures"].push_back({{"light", lit.label}, {"material", painted.label}});
-
-  ExitCode code = ExitCode::done;
-  if (!options_.output.files.empty()) {
-    OutputOptions output = options_.output;
-    for (std::string& file : output.files) file = file_name(file, lit, painted);
-    const client::Pictures pictures{
-        image,
-        work_.factors.plan,
-        &work_.factors,
-        &scene,
-        {{"metamer:relight", said(options_, lit, painted)}, {"metamer:factors", options_.file}}};
-    code = write_pictures(output, pictures, report_);
-  }
-  if (!options_.sheet.empty()) {
-    if (material == 0) reference_ = image;
-    add_to_sheet(light, material, image);
-  }
-  return code;
-}
-
-void Relighting::add_to_sheet(std::size_t light, std::size_t material, const Image& image) {
-  const v1::Plan& plan = work_.factors.plan;
-  client::SheetCell& cell = sheet_.cells[material * work_.lights.size() + light];
-  Image shown = image;
-  if (const auto planned = client::planned_developing(plan))
-    for (std::size_t i = 0; i < shown.pixels.size(); i += 3) {
-      const Xyz adapted = multiply(planned->developing.adaptation,
-                                   Xyz{shown.pixels[i], shown.pixels[i + 1], shown.pixels[i + 2]});
-      for (std::size_t c = 0; c < 3; ++c) shown.pixels[i + c] = static_cast<float>(adapted[c]);
-    }
-  cell.picture = client::for_sheet(shown);
-  if (material == 0 || plan.source_white_size() != 3) return;
-  const Xyz white = {plan.source_white(0), plan.source_white(1), plan.source_white(2)};
-  const auto difference = compare(reference_, image, Metric::de00, white);
-  if (!difference) return;
-  client::set_difference(*difference, cell);
-  const ErrorStatistics& differing = *cell.difference;
-  report_.document()["pictures"].back()["de00"] = {{"mean", differing.mean},
-                                                   {"percentile_95", differing.percentile_95},
-                                                   {"maximum", differing.maximum},
-                                                   {"share", cell.share}};
-  report_.line(formatted(
-      "%s under %s: dE00 mean %.2f, 95 %% %.2f, max %.2f from %s, where it "
-      "differs (%.3g %% of it)",
-      sheet_.candidates[material].c_str(), sheet_.lights[light].c_str(), differing.mean,
-      differing.percentile_95, differing.maximum, sheet_.candidates[0].c_str(), 100 * cell.share));
-}
-
-ExitCode Relighting::write_sheet() {
-  const auto written = client::contact_sheet(sheet_).and_then([&](const Image& image) {
-    const auto planned = client::planned_developing(work_.factors.plan);
-    Developing developing = planned ? planned->developing : Developing{};
-    developing.adaptation = identity3;  // each picture has its own
-    return write_image(image, options_.sheet, false, {}, developing);
-  });
-  if (!written) return report_.problem(written.error(), {}), ExitCode::other;
-  report_.document()["files"].push_back(options_.sheet);
-  report_.line(options_.sheet);
-  return ExitCode::done;
-}
-
 /// All that will be written, as check_output takes it.
 Result<OutputOptions> all_files(const RelightOptions& options, const RelightWork& work) {
   OutputOptions all = options.output;
@@ -220,27 +70,70 @@ Result<OutputOptions> all_files(const RelightOptions& options, const RelightWork
   return all;
 }
 
+/// The files of pictures, as write_pictures takes them.
+std::vector<client::PictureFiles> picture_files(const RelightOptions& options,
+                                                const RelightWork& work,
+                                                const std::vector<RelitPicture>& pictures) {
+  std::vector<client::PictureFiles> all;
+  for (const RelitPicture& one : pictures) {
+    const Variant &light = work.lights[one.light], &material = work.materials[one.material];
+    std::vector<std::string> files;
+    for (const std::string& pattern : options.output.files)
+      files.push_back(file_name(pattern, light, material));
+    all.push_back({.pictures = {one.image,
+                                one.plan,
+                                &work.factors,
+                                &one.scene,
+                                {{"metamer:relight", said(options, light, material)},
+                                 {"metamer:factors", options.file}}},
+                   .files = std::move(files)});
+  }
+  return all;
+}
+
+/// Makes all pictures, writes those that are wanted, and puts them on the sheet.
+ExitCode draw(const RelightOptions& options, const RelightWork& work, Relighting& relighting,
+              Report& report) {
+  RelightSheet sheet(work, options.sheet_maps, report);
+  ExitCode code = ExitCode::done;
+  relighting.make([&](const std::vector<RelitPicture>& pictures) {
+    for (const RelitPicture& one : pictures) {
+      report.document()["plan"] = to_json(one.plan);
+      if (work.lights.size() * work.materials.size() > 1)
+        report.document()["pictures"].push_back({{"light", work.lights[one.light].label},
+                                                 {"material", work.materials[one.material].label}});
+      if (!options.sheet.empty()) sheet.add(one);
+    }
+    if (options.output.files.empty()) return;
+    const ExitCode some =
+        write_pictures(options.output, picture_files(options, work, pictures), report);
+    if (some != ExitCode::done) code = some;
+  });
+  return options.sheet.empty() || code != ExitCode::done ? code : sheet.write(options.sheet);
+}
+
 ExitCode relight_file(const RelightOptions& options, Report& report) {
+  using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   auto work = load_work(options, report);
   if (!work) return ExitCode::bad_input;
   const auto files = all_files(options, *work);
   if (!files) return report.error("--output: " + files.error().message), ExitCode::bad_input;
   if (const ExitCode fit = check_output(*files, report); fit != ExitCode::done) return fit;
-  Relighting relighting(options, *work, report);
+  Relighting relighting(*work, report);
   if (!relighting.check()) return ExitCode::bad_input;
-  const auto read = Clock::now();
-  const ExitCode code = relighting.draw();
-  report.document()["milliseconds"] = {{"read", milliseconds(start, read)},
-                                       {"relight", relighting.milliseconds_of_light()}};
-  if (options.sheet.empty() || code != ExitCode::done) return code;
-  return relighting.write_sheet();
+  const double read = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  const ExitCode code = draw(options, *work, relighting, report);
+  report.document()["milliseconds"] = {{"read", read}, {"relight", relighting.milliseconds()}};
+  return code;
 }
 
 ExitCode run(const RelightOptions& options) {
   Report report(options.json);
   if (options.output.files.empty() && options.sheet.empty())
     return refuse("say where to: -o FILE or --sheet FILE", report);
+  if (options.sheet.empty() && options.sheet_maps)
+    return refuse("--sheet-maps belongs to --sheet FILE", report);
   if (!options.sheet.empty() && std::filesystem::path(options.sheet).extension() != ".png")
     return refuse("--sheet: " + metamer::quoted(options.sheet) + " does not end in .png", report);
   return report.finish(relight_file(options, report));
@@ -251,17 +144,20 @@ void declare(RelightOptions& values, Options& options) {
                      .target = &values.file,
                      .meaning = "what render --keep-factors wrote",
                      .required = true});
-  options.push_back({.names = "--light",
-                     .target = &values.lights,
-                     .meaning = std::string("a light's spectrum, *: that of all lights; several "
-                                            "for one light: a picture for each; ") +
-                                light_words + "; kept: its own",
-                     .type = "NAME=SPECTRUM"});
+  options.push_back(
+      {.names = "--light",
+       .target = &values.lights,
+       .meaning = std::string("a light's spectrum, *: that of all lights, but those that are "
+                              "named after it; repeated with one NAME: a picture for "
+                              "each; ") +
+                  light_words + "; kept: its own",
+       .type = "NAME=SPECTRUM"});
   options.push_back({.names = "--material",
                      .target = &values.materials,
-                     .meaning = "a material's diffuse spectrum, or NAME.specular=: a CIE test "
-                                "colour, FILE, FILE#ENTRY, FILE@percent, kept; several: a picture "
-                                "for each",
+                     .meaning =
+                         "a material's diffuse spectrum, or NAME.specular=: a CIE test "
+                         "colour, FILE, FILE#ENTRY, FILE@percent, kept; repeated with one NAME: "
+                         "a picture for each",
                      .type = "NAME=SPECTRUM"});
   options.push_back(
       {.names = "--observer", .target = &values.observer, .meaning = observer_meaning});
@@ -269,6 +165,10 @@ void declare(RelightOptions& values, Options& options) {
                      .target = &values.sheet,
                      .meaning = "a .png of all pictures: lights across, materials down, and how "
                                 "far each is from the first material's, ΔE00"});
+  options.push_back({.names = "--sheet-maps",
+                     .target = &values.sheet_maps,
+                     .meaning = "on the sheet, below each picture, where it differs from the first "
+                                "material's: ΔE00 on one scale"});
   declare_development(values.development, "In place of what the picture was rendered with",
                       options);
   declare_picture_files(values.output, options);

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 #include "client/cli/commands/spectra/spectra_input.h"
+#include "client/relight/relight.h"
+#include "client/relight/scene_sources.h"
 #include "client/tools/pictures/relit.h"
+#include "client/tools/scene/light_names.h"
 #include "client/tools/spectra/spectrum_word.h"
 
 namespace metamer::cli {
@@ -41,20 +45,43 @@ std::string label_of(const std::string& word) {
 /// The spectra of each name, in the order in which names first appear.
 using Given = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
+bool has_all_lights(const Given& given) {
+  return std::any_of(given.begin(), given.end(),
+                     [](const auto& one) { return one.first == client::all_lights; });
+}
+
+/// A label names what differs between pictures, and what else is given where it could be taken for
+/// that of all lights: "D65, lamp left=F11".
 Variant variant_of(const Given& given, std::size_t i, std::size_t count) {
   Variant variant;
   std::vector<std::string> labels;
+  std::string others;
   for (const auto& [name, spectra] : given) {
     const std::string& spectrum = spectra[spectra.size() == 1 ? 0 : i];
     variant.swaps.push_back({name, spectrum});
-    const std::string label = label_of(spectrum);
-    const bool is_new = std::find(labels.begin(), labels.end(), label) == labels.end();
-    if (is_new && spectra.size() == count) labels.push_back(label);
+    std::string label = label_of(spectrum);
+    if (has_all_lights(given) && name != client::all_lights)
+      others += ", " + name + "=" + label;
+    else if ((spectra.size() == count || name == client::all_lights) &&
+             std::find(labels.begin(), labels.end(), label) == labels.end())
+      labels.push_back(std::move(label));
   }
   for (const std::string& label : labels)
     variant.label += (variant.label.empty() ? "" : "+") + label;
   if (labels.empty()) variant.label = kept_word;
+  variant.label += others;
   return variant;
+}
+
+/// Lights that are given a spectrum which later ones leave no light: none of the pictures would be
+/// what its label says.
+std::string fault_of(const Given& given, const std::vector<std::string>& names) {
+  if (!has_all_lights(given)) return {};
+  std::vector<std::string> said, lights;
+  for (const auto& one : given) said.push_back(one.first);
+  std::copy_if(names.begin(), names.end(), std::back_inserter(lights),
+               [](const std::string& name) { return name != client::all_lights; });
+  return client::no_effect(said, lights);
 }
 
 }  // namespace
@@ -83,13 +110,17 @@ std::optional<std::vector<Variant>> variants_of(const std::string& option, const
                  ": each picture needs one, or all the same");
     good = false;
   }
+  if (const std::string fault = fault_of(given, names); good && !fault.empty()) {
+    report.error(option + ": " + fault);
+    good = false;
+  }
   if (!good) return std::nullopt;
   std::vector<Variant> variants;
   for (std::size_t i = 0; i < count; ++i) variants.push_back(variant_of(given, i, count));
   return variants;
 }
 
-const Spectrum* Swapper::load(Use use, const std::string& word) {
+const Spectrum* Swapper::load(Use use, const std::string& word, const v1::SceneFactors& scene) {
   const auto [entry, is_new] = loaded_.try_emplace({use, word});
   std::optional<Spectrum>& spectrum = entry->second;
   if (is_new) {
@@ -107,17 +138,37 @@ const Spectrum* Swapper::load(Use use, const std::string& word) {
       report_.error(about + ": " + fault);
       spectrum.reset();
     }
+    if (spectrum) tell_unseen(use, word, *spectrum, scene);
   }
   return spectrum ? &*spectrum : nullptr;
 }
 
+void Swapper::tell_unseen(Use use, const std::string& word, const Spectrum& spectrum,
+                          const v1::SceneFactors& scene) {
+  const Observer observer = client::observer_of(factors_.plan, scene);
+  if (use == Use::emission) {
+    const bool seen = CumulativeLight(word, spectrum, observer).any();
+    return tell_ends(
+        word,
+        seen ? ends_of_light(spectrum, observer) : "stays dark: the observer sees nothing of it",
+        report_);
+  }
+  std::vector<CumulativeLight> lights;
+  for (const auto& light : scene.light())
+    lights.emplace_back(light.name(), to_spectrum(light.power()), observer);
+  tell_ends(word, ends_of_property(spectrum, lights), report_);
+}
+
 bool Swapper::swap_lights(const Variant& variant, v1::SceneFactors& scene) {
   bool good = true;
-  for (const Swap& swap : variant.swaps) {
-    if (swap.spectrum == kept_word) continue;
-    const Spectrum* power = load(Use::emission, swap.spectrum);
+  std::vector<std::string> names;
+  for (const Swap& swap : variant.swaps) names.push_back(swap.name);
+  for (const auto& light : factors_.scene.light()) {
+    const auto by = client::name_for(light.name(), names);
+    if (!by || variant.swaps[*by].spectrum == kept_word) continue;
+    const Spectrum* power = load(Use::emission, variant.swaps[*by].spectrum, scene);
     good = good && power != nullptr;
-    if (power != nullptr) client::swap_light(swap.name, *power, scene);
+    if (power != nullptr) client::swap_light(light.name(), *power, scene);
   }
   return good;
 }
@@ -127,7 +178,7 @@ bool Swapper::swap_materials(const Variant& variant, v1::SceneFactors& scene) {
   bool good = true;
   for (const Swap& swap : variant.swaps) {
     if (swap.spectrum == kept_word) continue;
-    const Spectrum* reflectance = load(Use::property, swap.spectrum);
+    const Spectrum* reflectance = load(Use::property, swap.spectrum, scene);
     good = good && reflectance != nullptr;
     if (reflectance == nullptr) continue;
     const client::Property& property = properties.at(swap.name);

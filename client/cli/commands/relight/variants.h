@@ -20,13 +20,14 @@ struct Swap {
 
 /// What one of several pictures is lit by, or painted with.
 struct Variant {
-  std::string label;        ///< For people: its spectra, "lamps warm+F11"; "kept": none.
+  std::string label;        ///< For people: its spectra, "lamps warm+F11", "D65, lamp=A"; "kept".
   std::vector<Swap> swaps;  ///< One for each name.
 };
 
 /// Options of one kind as variants, at least one: the i-th spectrum that is given to a name is that
 /// of the i-th variant, and what is given once is that of all. Reports what is wrong: a name that
-/// is none of `names`, names that are given several spectra, but not as many.
+/// is none of `names`, names that are given several spectra, but not as many, lights that a later
+/// name takes all of.
 std::optional<std::vector<Variant>> variants_of(const std::string& option, const std::string& what,
                                                 const std::vector<std::string>& texts,
                                                 const std::vector<std::string>& names,
@@ -42,8 +43,11 @@ class Swapper {
   bool swap_materials(const Variant& variant, v1::SceneFactors& scene);
 
  private:
-  /// Null: it can't be read, or is no such spectrum; said once.
-  const Spectrum* load(Use use, const std::string& word);
+  /// Null: it can't be read, or is no such spectrum; said once, as is what the scene's observer
+  /// misses of it.
+  const Spectrum* load(Use use, const std::string& word, const v1::SceneFactors& scene);
+  void tell_unseen(Use use, const std::string& word, const Spectrum& spectrum,
+                   const v1::SceneFactors& scene);
 
   const client::Factors& factors_;
   Report& report_;

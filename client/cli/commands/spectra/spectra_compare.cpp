@@ -1,12 +1,14 @@
 // Which paint matches: several beside one, under several lights.
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include "client/cli/commands.h"
 #include "client/cli/commands/spectra/spectra_input.h"
 #include "client/cli/output/gnuplot.h"
 #include "client/tools/pictures/swatches.h"
 #include "client/tools/spectra/paint_match.h"
+#include "client/tools/spectra/spectrum_word.h"
 #include "client/tools/text/csv.h"
 #include "client/tools/text/formatted.h"
 
@@ -31,13 +33,39 @@ struct Paints {
   std::vector<NamedSpectrum> candidates, lights;
 };
 
-std::optional<Paints> load_paints(const MatchOptions& options, Report& report) {
+bool same_file(const std::string& word, const std::string& other) {
+  const auto one = client::parse_spectrum_word(word), two = client::parse_spectrum_word(other);
+  std::error_code error;
+  return one && two && one->is_file && two->is_file &&
+         std::filesystem::equivalent(one->name, two->name, error);
+}
+
+/// The spectra of the words, without the reference where a word brings it among others of its file.
+std::optional<std::vector<client::LoadedSpectrum>> load_candidates(
+    const SpectraOptions& input, const client::LoadedSpectrum& reference, Report& report) {
+  std::vector<client::LoadedSpectrum> candidates;
+  for (auto word = input.files.begin() + 1; word != input.files.end(); ++word) {
+    auto some = load_spectra(input, {*word}, report);
+    if (!some) return std::nullopt;
+    if (some->size() > 1 && same_file(*word, input.files.front()))
+      std::erase_if(*some, [&](const client::LoadedSpectrum& one) {
+        return one.name == reference.name && one.samples == reference.samples;
+      });
+    std::move(some->begin(), some->end(), std::back_inserter(candidates));
+  }
+  if (!candidates.empty()) return candidates;
+  report.error("there is no candidate but the reference itself");
+  return std::nullopt;
+}
+
+std::optional<Paints> load_paints(const MatchOptions& options, const Observer& observer,
+                                  Report& report) {
   SpectraOptions input = options.input;
   input.use = Use::property;
-  const std::vector<std::string>& files = input.files;
-  auto reference = load_one(input, files.front(), report);
-  const auto candidates = load_spectra(input, {files.begin() + 1, files.end()}, report);
-  if (!reference || !candidates) return std::nullopt;
+  auto reference = load_one(input, input.files.front(), report);
+  if (!reference) return std::nullopt;
+  auto candidates = load_candidates(input, *reference, report);
+  if (!candidates) return std::nullopt;
   Paints paints{.reference = std::move(*reference), .candidates = {}, .lights = {}};
   std::vector<const client::LoadedSpectrum*> all = {&paints.reference};
   for (const client::LoadedSpectrum& one : *candidates) {
@@ -50,11 +78,15 @@ std::optional<Paints> load_paints(const MatchOptions& options, Report& report) {
     report.error(one->label + ": it is an emission, and reflectances are compared");
     return std::nullopt;
   }
+  std::vector<CumulativeLight> seen;
   for (const std::string& word : options.lights) {
-    auto light = load_light(word, "--under", report);
+    auto light = load_light(word, "--under", observer, report);
     if (!light) return std::nullopt;
+    seen.emplace_back(word, *light, observer);
     paints.lights.push_back({.name = word, .spectrum = std::move(*light)});
   }
+  candidates->insert(candidates->begin(), paints.reference);
+  tell_ends_of(*candidates, seen, observer, report);
   return paints;
 }
 
@@ -132,7 +164,7 @@ ExitCode write_matches(const std::vector<PaintMatch>& matches,
 ExitCode match(const MatchOptions& options, Report& report) {
   const auto observer = load_observer(options.input.observer, report);
   if (!observer) return ExitCode::bad_input;
-  const auto paints = load_paints(options, report);
+  const auto paints = load_paints(options, *observer, report);
   if (!paints) return ExitCode::bad_input;
   const auto matches = client::match_paints(paints->reference.spectrum(), paints->candidates,
                                             paints->lights, *observer);
@@ -147,6 +179,9 @@ ExitCode match(const MatchOptions& options, Report& report) {
   for (const PaintMatch& match : *matches) document["candidates"].push_back(json_of(match));
   document["nearest"] = best.name;
   print_table(*matches, report);
+  if (paints->lights.size() > 1)
+    report.line("M: the metamerism index of dE00 against " + paints->lights.front().name +
+                "; --json and .csv have that of dEab (ISO 18314-4), too");
   report.line(formatted("%s is nearest to %s: at most dE00 %.2f, under %s", best.name.c_str(),
                         paints->reference.label.c_str(), best.worst_de00(),
                         best.under[best.worst].light.c_str()));
@@ -174,7 +209,7 @@ void declare(MatchOptions& values, Options& options) {
   declare_observer(values.input, options);
   options.push_back({.names = "--under",
                      .target = &values.lights,
-                     .meaning = "the lights, the first of which is where metamerism (M) is 0",
+                     .meaning = "the lights; M, the metamerism index of ΔE00, is 0 under the first",
                      .type = "LIGHT,…",
                      .shows_default = true,
                      .separator = ','});

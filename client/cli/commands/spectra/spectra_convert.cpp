@@ -20,7 +20,8 @@ ExitCode run(const ConvertOptions& options) {
   std::vector<NamedSpectrum> same;
   for (const LoadedSpectrum& one : *spectra)
     same.push_back({.name = one.name, .spectrum = one.samples});
-  return report.finish(write_spectra(options.output, same, report));
+  return report.finish(
+      write_spectra(options.output, same, client::common_quantity(*spectra), report));
 }
 
 void declare(ConvertOptions& values, Options& options) {

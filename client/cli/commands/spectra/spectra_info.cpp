@@ -146,8 +146,9 @@ ExitCode run(const SpectraOptions& options) {
   const auto observer = load_observer(options.observer, report);
   if (!observer) return report.finish(ExitCode::bad_input);
   const auto spectra = load_spectra(options, options.files, report);
-  const auto light = load_light(options.under, "--under", report);
+  const auto light = load_light(options.under, "--under", *observer, report);
   if (!spectra || !light) return report.finish(ExitCode::bad_input);
+  tell_ends_of(*spectra, {{options.under, *light, *observer}}, *observer, report);
   for (const LoadedSpectrum& one : *spectra) {
     const auto facts =
         client::spectrum_facts(one, *light, *observer, *find_table_weights(options.weights));

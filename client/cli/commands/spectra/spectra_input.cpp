@@ -140,8 +140,22 @@ std::optional<Spectrum> load_for(Use use, const std::string& file, Report& repor
   return loaded->spectrum();
 }
 
+void tell_ends(const std::string& label, const std::string& ends, Report& report) {
+  if (!ends.empty()) report.note({.field = {}, .file = {}, .message = label + ": " + ends});
+}
+
+void tell_ends_of(const std::vector<LoadedSpectrum>& spectra,
+                  const std::vector<CumulativeLight>& lights, const Observer& observer,
+                  Report& report) {
+  for (const LoadedSpectrum& one : spectra)
+    tell_ends(one.label,
+              one.emission() ? ends_of_light(one.spectrum(), observer)
+                             : ends_of_property(one.spectrum(), lights),
+              report);
+}
+
 std::optional<Spectrum> load_light(const std::string& word, const std::string& option,
-                                   Report& report) {
+                                   const Observer& observer, Report& report) {
   auto loaded = client::load_one(word, {.use = Use::emission});
   if (!loaded && loaded.error().problem.line == 0)
     loaded.error().problem.message.insert(0, option + ": ");
@@ -151,7 +165,10 @@ std::optional<Spectrum> load_light(const std::string& word, const std::string& o
   const std::string fault = light->emission()
                                 ? client::emission_fault(light->samples)
                                 : metamer::quoted(word) + " is a reflectance, no light";
-  if (fault.empty()) return light->spectrum();
+  if (fault.empty()) {
+    tell_ends(light->label, ends_of_light(light->spectrum(), observer), report);
+    return light->spectrum();
+  }
   report.error(option + ": " + fault);
   return std::nullopt;
 }
@@ -163,6 +180,7 @@ std::optional<Observer> load_observer(const std::string& word, Report& report) {
   if (observer && observer->is_cut())
     report.note(
         {.field = {}, .file = word, .message = "what it sees outside 360 to 830 nm is left out"});
+  if (observer) tell_ends(word, ends_of_observer(*observer), report);
   return loaded_or_told(std::move(observer), report);
 }
 
@@ -183,9 +201,27 @@ bool check_spectra_output(const SpectraOutputOptions& options, Report& report) {
   return false;
 }
 
+/// What readers of the file are not told.
+void note_unsaid(SpectrumFormat format, std::optional<Quantity> quantity, Report& report) {
+  if (!quantity)
+    report.note({.field = {},
+                 .file = {},
+                 .message = "lights and surfaces in one file: it does not say what they are"});
+  else if (format != SpectrumFormat::cgats && *quantity != Quantity::reflectance)
+    report.note({.field = {},
+                 .file = {},
+                 .message = "a plain file does not say that it is " +
+                            std::string(*quantity == Quantity::emission ? "an " : "a ") +
+                            quantity_text(*quantity) +
+                            ": --as says it where it is read, or write CGATS"});
+}
+
 ExitCode write_spectra(const SpectraOutputOptions& options,
-                       const std::vector<NamedSpectrum>& spectra, Report& report) {
-  const Result<std::string> text = spectra_text(spectra, format_of(options));
+                       const std::vector<NamedSpectrum>& spectra, std::optional<Quantity> quantity,
+                       Report& report) {
+  const SpectrumFormat format = format_of(options);
+  const Result<std::string> text = spectra_text(spectra, format, quantity);
+  if (text) note_unsaid(format, quantity, report);
   if (!text) {
     report.error(text.error().message);
     return ExitCode::bad_input;

@@ -7,6 +7,7 @@
 #include "client/cli/report.h"
 #include "client/cli/shared_options.h"
 #include "client/tools/spectra/spectra_files.h"
+#include "common/color/ends_of_data.h"
 #include "common/spectral/cie.h"
 
 /// The words of the `metamer spectra` commands, what they read and what they write. Problems are
@@ -50,9 +51,16 @@ std::optional<client::LoadedSpectrum> load_one(const SpectraOptions& options,
 void tell_notes(const client::LoadedSpectrum& one, Report& report);
 /// One for a use: as the file says, else as the use wants it.
 std::optional<Spectrum> load_for(Use use, const std::string& file, Report& report);
-/// A light: a file, or a CIE illuminant. `option` stands in errors.
+/// Where data end too early (common/color/ends_of_data), as a note; empty: nowhere.
+void tell_ends(const std::string& label, const std::string& ends, Report& report);
+/// The same of lights, and of reflectances under `lights`.
+void tell_ends_of(const std::vector<client::LoadedSpectrum>& spectra,
+                  const std::vector<CumulativeLight>& lights, const Observer& observer,
+                  Report& report);
+/// A light: a file, or a CIE illuminant. `option` stands in errors; what the observer misses of a
+/// file is a note.
 std::optional<Spectrum> load_light(const std::string& word, const std::string& option,
-                                   Report& report);
+                                   const Observer& observer, Report& report);
 
 /// An observer: a word that render has, or a file.
 std::optional<Observer> load_observer(const std::string& word, Report& report);
@@ -62,9 +70,11 @@ Result<Wavelengths> wavelengths_of(const std::optional<std::string>& samples,
                                    const std::optional<std::string>& wavelengths);
 
 /// Writes the file in the format that the options say, else in the one that its name asks for;
-/// without a file prints the text. Errors are reported.
+/// without a file prints the text. `quantity`: of all of them, nothing where they differ. Errors
+/// are reported, and what the file can't say of them is noted.
 ExitCode write_spectra(const SpectraOutputOptions& options,
-                       const std::vector<NamedSpectrum>& spectra, Report& report);
+                       const std::vector<NamedSpectrum>& spectra, std::optional<Quantity> quantity,
+                       Report& report);
 /// Whether those options make sense; reports what does not.
 bool check_spectra_output(const SpectraOutputOptions& options, Report& report);
 

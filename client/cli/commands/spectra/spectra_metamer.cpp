@@ -42,9 +42,11 @@ ExitCode run(const MetamerOptions& options) {
   SpectraOptions input = options.input;
   if (!input.as) input.as = "reflectance";
   const auto original = load_one(input, input.files.front(), report);
-  const auto under = load_light(input.under, "--under", report);
-  const auto against = load_light(other, "--against", report);
+  const auto under = load_light(input.under, "--under", *observer, report);
+  const auto against = load_light(other, "--against", *observer, report);
   if (!original || !under || !against) return report.finish(ExitCode::bad_input);
+  tell_ends_of({*original}, {{input.under, *under, *observer}, {other, *against, *observer}},
+               *observer, report);
 
   const auto table = client::metamer_table(original->spectrum(), {options.input.under, *under},
                                            {other, *against}, *observer);
@@ -54,7 +56,7 @@ ExitCode run(const MetamerOptions& options) {
   }
   const ExitCode written = write_spectra(
       options.output, {{.name = original->name + "-metamer", .spectrum = table->reflectance}},
-      report);
+      Quantity::reflectance, report);
   if (written != ExitCode::done) return report.finish(written);
   add_differences(table->differences, report);
   return report.finish(ExitCode::done);

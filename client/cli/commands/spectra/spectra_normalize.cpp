@@ -36,7 +36,8 @@ ExitCode run(const NormalizeOptions& options) {
     made.push_back(std::move(changed->spectrum));
     report.document()["spectra"].push_back({{"name", one.label}, {"factor", changed->factor}});
   }
-  return report.finish(write_spectra(options.output, made, report));
+  return report.finish(
+      write_spectra(options.output, made, client::common_quantity(*spectra), report));
 }
 
 void declare(NormalizeOptions& values, Options& options) {

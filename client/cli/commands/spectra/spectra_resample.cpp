@@ -74,7 +74,8 @@ ExitCode run(const ResampleOptions& options) {
     report_change(one, changed, *wavelengths, report);
     made.push_back(std::move(changed.spectrum));
   }
-  return report.finish(write_spectra(options.output, made, report));
+  return report.finish(
+      write_spectra(options.output, made, client::common_quantity(*spectra), report));
 }
 
 void declare(ResampleOptions& values, Options& options) {

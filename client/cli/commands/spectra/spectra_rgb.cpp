@@ -50,8 +50,9 @@ ExitCode run(const SpectraRgbOptions& options) {
   if (!luminous) report.error("--luminance must be above 0");
   if (!words || !observer || !luminous) return report.finish(ExitCode::bad_input);
   const auto spectra = load_spectra(options.input, options.input.files, report);
-  const auto under = load_light(options.input.under, "--under", report);
+  const auto under = load_light(options.input.under, "--under", *observer, report);
   if (!spectra || !under) return report.finish(ExitCode::bad_input);
+  tell_ends_of(*spectra, {{options.input.under, *under, *observer}}, *observer, report);
 
   for (const client::LoadedSpectrum& one : *spectra) {
     const auto rgb = client::spectrum_rgb(one, *under, *observer, options.luminance, development,

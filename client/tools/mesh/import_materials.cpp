@@ -1,0 +1,151 @@
+#include "client/tools/mesh/import_materials.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+#include "common/color/rgb_reflectance.h"
+#include "common/color/srgb.h"
+#include "common/mesh/obj/materials.h"
+#include "common/scene/files.h"
+#include "common/scene/limits.h"
+
+namespace metamer::client {
+namespace {
+
+namespace fs = std::filesystem;
+
+Rgb within_gamut(const Double3& linear) {
+  Rgb rgb;
+  for (std::size_t k = 0; k < 3; ++k) rgb[k] = std::clamp(linear[k], 0.0, 1.0);
+  return rgb;
+}
+
+/// sRGB as people write it: "#C02020".
+std::string hex_of(const Rgb& linear) {
+  const auto byte = [](double x) {
+    return static_cast<unsigned>(std::lround(255 * srgb::encode(x)));
+  };
+  char text[8];
+  std::snprintf(text, sizeof text, "#%02X%02X%02X", byte(linear[0]), byte(linear[1]),
+                byte(linear[2]));
+  return text;
+}
+
+/// Six decimals are enough, and a text that people read.
+double rounded(double value) { return std::round(1e6 * value) / 1e6; }
+
+void set_color(const Rgb& color, v1::Spectrum& to) {
+  if (color[0] == color[1] && color[1] == color[2]) return to.set_constant(rounded(color[0]));
+  const Spectrum reflectance = reflectance_of_rgb(color);
+  for (std::size_t i = 0; i < reflectance.nm.size(); ++i) {
+    to.mutable_samples()->add_wavelength(reflectance.nm[i]);
+    to.mutable_samples()->add_value(rounded(reflectance.values[i]));
+  }
+  to.set_interpolation(v1::Spectrum::LINEAR);
+}
+
+/// The names of the files behind a mtllib: all of it, or word by word.
+std::vector<fs::path> find_libraries(const std::string& names, const fs::path& folder,
+                                     std::vector<std::string>& left_out) {
+  std::string slashes = names;
+  std::replace(slashes.begin(), slashes.end(), '\\', '/');
+  const auto whole = find_in_folder(slashes, folder, max_mtl, false);
+  if (whole) return {*whole};
+  std::vector<fs::path> found;
+  std::istringstream words(slashes);
+  for (std::string word; words >> word;) {
+    const auto file = find_in_folder(word, folder, max_mtl, true);
+    if (file)
+      found.push_back(*file);
+    else
+      left_out.push_back("the materials of a .mtl: " + file.error().message);
+  }
+  return found;
+}
+
+std::string not_counted(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += ", and its " + word + " does not count";
+  return text;
+}
+
+FileMaterial material_of(const MtlMaterial& from) {
+  FileMaterial to{.name = from.name,
+                  .base_color = from.diffuse.value_or(Double3{0.5, 0.5, 0.5}),
+                  .specular = {},
+                  .exponent = 0,
+                  .remarks = {}};
+  if (!from.diffuse) to.remarks += ", as it has no Kd";
+  if (from.is_textured) to.remarks += ", times a texture";
+  if (from.specular && from.shows_highlight && from.exponent && *from.exponent > 0) {
+    to.specular = *from.specular;
+    to.exponent = *from.exponent;
+  }
+  to.remarks += not_counted(from.left_out);
+  return to;
+}
+
+void add_library(const fs::path& file, FileMaterials& to) {
+  const std::string name = file.filename().string();
+  const auto text = read_file(file, max_mtl);
+  if (!text) {
+    to.left_out.push_back("the materials of " + quoted(name) + ", which can't be read");
+    return;
+  }
+  const MtlFile library = read_mtl(*text);
+  for (const std::string& note : library.notes) to.left_out.push_back(quoted(name) + ": " + note);
+  for (const MtlMaterial& one : library.materials) to.materials.push_back(material_of(one));
+}
+
+}  // namespace
+
+FileMaterials materials_of(const GltfScene& scene) {
+  FileMaterials result;
+  for (const GltfMaterial& from : scene.materials)
+    result.materials.push_back(
+        {.name = from.name,
+         .base_color = from.base_color,
+         .specular = {},
+         .exponent = 0,
+         .remarks = std::string(from.is_textured ? ", times a texture" : "") +
+                    (from.is_metallic ? ", and it is a metal" : "") + not_counted(from.left_out)});
+  return result;
+}
+
+FileMaterials load_obj_materials(const fs::path& obj) {
+  FileMaterials result;
+  const auto text = read_file(obj, limits::max_asset);
+  if (!text) return result;
+  const fs::path folder = obj.parent_path().empty() ? fs::path(".") : obj.parent_path();
+  for (const std::string& names : mtl_names(*text))
+    for (const fs::path& file : find_libraries(names, folder, result.left_out))
+      add_library(file, result);
+  return result;
+}
+
+std::string fill(const FileMaterial& from, v1::Material& to) {
+  const Rgb base = within_gamut(from.base_color);
+  set_color(base, *to.mutable_diffuse());
+  std::string said = "material " + quoted(from.name) + ": its base colour is " + hex_of(base) +
+                     from.remarks + "; a reflectance that looks so under D65 stands for it";
+  if (base != from.base_color) said += ", as it goes beyond 0..1";
+  const double strength = *std::max_element(from.specular.begin(), from.specular.end());
+  if (!(strength > 0)) return said;
+
+  // A highlight: its colour, and how strong it is.
+  Double3 color = from.specular;
+  for (double& value : color) value /= strength;
+  if (color[0] != color[1] || color[1] != color[2])
+    set_color(within_gamut(color), *to.mutable_specular());
+  const double specularness = std::min(strength, 1.0);
+  to.set_specularness(rounded(specularness));
+  const double exponent = std::clamp(from.exponent, 1.0, 1e6);
+  to.mutable_blinn_phong()->set_shininess(exponent);
+  if (exponent != from.exponent || specularness != strength)
+    said += "; its highlight is brought into the range of blinn_phong";
+  return said;
+}
+
+}  // namespace metamer::client
