@@ -97,6 +97,16 @@ TEST(DidYouMean, FindsANameWithATypingMistake) {
   EXPECT_EQ(did_you_mean("D56", known), "; did you mean \"D65\"?") << "a short name may have one";
 }
 
+TEST(UnknownName, NamesWhatCanTakeItsPlaceOrNothing) {
+  const Problem near = unknown_name("no lamp named \"keey\"", "keey", {"fill", "key"});
+  EXPECT_EQ(near.message, "no lamp named \"keey\"; did you mean \"key\"?");
+  EXPECT_EQ(near.was, "keey");
+  EXPECT_EQ(near.meant, "key");
+  const Problem far = unknown_name("no lamp named \"sun\"", "sun", {"fill", "key"});
+  EXPECT_EQ(far.message, "no lamp named \"sun\"");
+  EXPECT_EQ(far.was + far.meant, "");
+}
+
 TEST(DidYouMean, IsSilentWhereNothingIsClose) {
   EXPECT_EQ(did_you_mean("ceiling", {"wall", "floor"}), "");
   EXPECT_EQ(did_you_mean("abcdef", {"abcxyz"}), "") << "three of six are more than a third";

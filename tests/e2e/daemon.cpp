@@ -51,8 +51,8 @@ Daemon::Daemon(Listens listens, std::vector<std::string> options) {
   how.environment["TMPDIR"] = folder_.path();
   // Little is logged: nobody reads the pipe before the end.
   process_ = std::make_unique<Process>(
-      joined({"metamerd", "--listen", address_, "--parent-fd", "3", "--log-level", "error",
-              "--threads", "1", "--first-job", "1"},
+      joined({"metamerd", "--listen", address_, "--open", "--parent-fd", "3", "--log-level",
+              "error", "--threads", "1", "--first-job", "1", "--unconfined"},
              options),
       how);
   close(pair[1]);
@@ -88,6 +88,7 @@ std::string Daemon::submit(const std::string& scene, std::vector<std::string> ov
 }
 
 pid_t Daemon::worker_pid() const { return json({"info"})["info"]["worker"][0]["pid"]; }
+pid_t Daemon::views_worker_pid() const { return json({"info"})["info"]["worker"][2]["pid"]; }
 
 std::string Daemon::job_state(const std::string& job) const {
   const Json answer = json({"jobs"});
@@ -96,7 +97,9 @@ std::string Daemon::job_state(const std::string& job) const {
   return "unknown";
 }
 
-HeldWorkers::HeldWorkers(const Daemon& daemon) : pids_(children_of(daemon.pid())) {
+HeldWorkers::HeldWorkers(const Daemon& daemon) : HeldWorkers(children_of(daemon.pid())) {}
+
+HeldWorkers::HeldWorkers(std::vector<pid_t> pids) : pids_(std::move(pids)) {
   EXPECT_FALSE(pids_.empty());
   for (const pid_t pid : pids_) kill(pid, SIGSTOP);
 }

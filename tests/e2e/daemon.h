@@ -36,7 +36,8 @@ class Daemon {
 
   /// Submits a scene; gives the job's number as words need it.
   std::string submit(const std::string& scene, std::vector<std::string> overrides = {}) const;
-  pid_t worker_pid() const;  ///< As `metamer info` tells it.
+  pid_t worker_pid() const;        ///< The jobs' one, as `metamer info` tells it;
+  pid_t views_worker_pid() const;  ///< that of the views.
   std::string job_state(const std::string& job) const;
 
  private:
@@ -52,6 +53,8 @@ class Daemon {
 class HeldWorkers {
  public:
   explicit HeldWorkers(const Daemon& daemon);
+  /// Processes that one of them has started.
+  explicit HeldWorkers(std::vector<pid_t> pids);
   HeldWorkers(const HeldWorkers&) = delete;
   HeldWorkers& operator=(const HeldWorkers&) = delete;
   ~HeldWorkers() { release(); }

@@ -104,10 +104,11 @@ TEST(DesignersDay, FabricsALampAndAChairBecomeAnAnswerAndAContactSheet) {
   // The one edit by hand: each part gets a fabric.
   std::string scene = contents(folder / "chair.txtpb");
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const std::size_t at = scene.find("constant:");
+    const std::size_t material = scene.find("name: \"fabric of the " + parts[i] + "\"");
+    const std::size_t at = scene.find("diffuse {", material);
     ASSERT_NE(at, std::string::npos);
-    scene.replace(at, scene.find('\n', at) - at,
-                  "file: \"fabrics.csv\" entry: \"" + fabrics[i % fabrics.size()] + "\"");
+    scene.replace(at, scene.find("\n  }", at) - at,
+                  "diffuse { file: \"fabrics.csv\" entry: \"" + fabrics[i % fabrics.size()] + "\"");
   }
   folder.write("chair.txtpb", scene);
   done({"check", "chair.txtpb"});

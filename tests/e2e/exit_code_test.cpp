@@ -10,7 +10,8 @@ namespace metamer::test {
 namespace {
 
 const char* const no_server_named =
-    "error: no server named: use --server unix:PATH or HOST:PORT, or set METAMER_SERVER\n";
+    "error: no server named: use --server unix:PATH, HOST:PORT or tls:HOST:PORT, or set "
+    "METAMER_SERVER\n";
 
 TEST(ExitCode, ZeroWhenDone) {
   const Folder folder;
@@ -49,6 +50,7 @@ TEST(ExitCode, TwoWhereACommandNeedsAServerAndNoneIsNamed) {
                                                 {"cancel", "1"},
                                                 {"pause", "1"},
                                                 {"resume", "1"},
+                                                {"priority", "1", "5"},
                                                 {"info"}}) {
     const Ended ended = metamer(words);
     EXPECT_EQ(ended.code, 2) << words[0];
@@ -77,7 +79,8 @@ TEST(ExitCode, TwoForAJobThatIsNotThere) {
                                                 {"fetch", "7", "-o", "a.png"},
                                                 {"cancel", "7"},
                                                 {"pause", "7"},
-                                                {"resume", "7"}}) {
+                                                {"resume", "7"},
+                                                {"priority", "7", "-5"}}) {
     const Ended ended = daemon.metamer(words);
     EXPECT_EQ(ended.code, 2) << words[0];
     EXPECT_EQ(ended.err, "error: there is no job 7\n") << words[0];
@@ -100,7 +103,8 @@ TEST(ExitCode, TwoForAnAddressThatIsNone) {
   const Ended ended = metamer({"info", "--server", "somewhere"});
   EXPECT_EQ(ended.code, 2);
   EXPECT_EQ(ended.err,
-            "error: \"somewhere\" is no endpoint: expected unix:PATH, HOST:PORT or PORT\n");
+            "error: \"somewhere\" is no endpoint: expected unix:PATH, HOST:PORT, PORT or "
+            "tls:HOST:PORT\n");
 }
 
 TEST(ExitCode, ThreeWhenThePrivateServerDoesNotStart) {

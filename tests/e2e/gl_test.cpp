@@ -99,7 +99,7 @@ TEST(Gl, InfoNamesTheDeviceAndWhatWasFoundOfIt) {
   EXPECT_EQ(info["capabilities"]["backend"], Json({"cpu", "gl"}));
   const Json gl = info["capabilities"]["gl"];
   EXPECT_FALSE(gl["renderer"].get<std::string>().empty());
-  EXPECT_EQ(info["worker"].size(), 2u);
+  EXPECT_EQ(info["worker"].size(), 3u);
   EXPECT_EQ(info["worker"][1]["backend"], "gl");
   const Ended ended = daemon.metamer({"info"});
   EXPECT_NE(ended.out.find(gl["renderer"].get<std::string>()), std::string::npos) << ended.out;
@@ -146,11 +146,14 @@ TEST(Gl, BothBackendsRenderAtTheSameTime) {
 }
 
 TEST(Gl, AKilledWorkerIsReplacedAndItsJobDoneAgain) {
-  const Daemon daemon;
+  const Daemon daemon(Daemon::Listens::unix_socket, {"--worker-timeout", "60"});
   Folder folder;
-  const std::string scene = folder.write("scene.txtpb", long_scene());
-  const std::string job = daemon.submit(scene, {"--backend", "gl"});
+  const std::string scene = folder.write("scene.txtpb", small_scene());
   const auto worker = [&] { return daemon.json({"info"})["info"]["worker"][1]; };
+  while (worker()["state"] != "idle") {
+  }
+  HeldWorkers held(daemon);  // or it may have ended before it is seen
+  const std::string job = daemon.submit(scene, {"--backend", "gl"});
   while (worker()["state"] != "busy") {
   }
   kill(worker()["pid"].get<pid_t>(), SIGKILL);

@@ -79,7 +79,7 @@ TEST_F(JsonOutput, WatchIsALineAnEvent) {
 TEST_F(JsonOutput, InfoNamesModelsAndWorkers) {
   const Json info = daemon.json({"info"});
   EXPECT_GT(info["ping_seconds"].get<double>(), 0);
-  EXPECT_EQ(info["info"]["worker"].size(), 2u);  // the CPU's and the GL's
+  EXPECT_EQ(info["info"]["worker"].size(), 3u);  // the CPU's, the GL's, the CPU's of views
   EXPECT_EQ(info["info"]["capabilities"]["method"],
             Json::array({"point", "rgb", "exact", "linear", "prefilter", "auto"}));
   EXPECT_EQ(info["info"]["capabilities"]["model"][0]["name"], "lambert");

@@ -112,5 +112,23 @@ TEST_F(LightWords, WithEqualsSignsAreTakenApart) {
             picture({"render", scene, "--light", "a=b=F11", "--light", "key=D65"}));
 }
 
+TEST_F(LightWords, APixelOfASpectralPictureIsTheSameInASceneAndByAWord) {
+  // What the scene itself shows, as a lamp.
+  const std::string room = folder / "room.exr";
+  EXPECT_EQ(daemon.metamer({"render", scene, "-o", room, "--exr", "spectral:400:700:20"}).code, 0);
+  std::string text = scene_text;
+  const std::string before = "spectrum { standard: \"D65\" }";
+  text.replace(text.find(before), before.size(),
+               "spectrum { file: \"room.exr\" entry: \"12x10-13x11\" }");
+  const std::string other = folder.write("other.txtpb", text);
+  EXPECT_EQ(daemon.metamer({"check", other}).code, 0);
+  const std::vector<float> written = picture({"render", other});
+  const std::vector<float> said =
+      picture({"render", scene, "--light", "key=" + room + "#12x10-13x11"});
+  ASSERT_EQ(written.size(), said.size());
+  for (std::size_t i = 0; i < said.size(); ++i) ASSERT_NEAR(written[i], said[i], 1e-5);
+  EXPECT_NE(written, picture({"render", scene}));
+}
+
 }  // namespace
 }  // namespace metamer::test

@@ -90,6 +90,14 @@ Upload floor_mesh(int side) {
   return mesh;
 }
 
+/// What reads meshes for its workers.
+std::vector<pid_t> importers_of(const Daemon& daemon) {
+  std::vector<pid_t> all;
+  for (const pid_t worker : children_of(daemon.pid()))
+    for (const pid_t one : children_of(worker)) all.push_back(one);
+  return all;
+}
+
 TEST(View, OthersGetFramesWhileASceneIsImported) {
   const Daemon daemon;
   const Upload mesh = floor_mesh(400);
@@ -99,8 +107,12 @@ TEST(View, OthersGetFramesWhileASceneIsImported) {
     Viewer viewer(daemon);
     const auto light = viewer.open(direct_scene(), backend);
     ASSERT_TRUE(light) << viewer.error().message;
-    // The second time nothing is uploaded, and all that is waited for is the import.
+    // The second time nothing is uploaded, and all that is waited for is the import, which stands
+    // still until there were some frames.
     for (const bool uploaded : {false, true}) {
+      constexpr int frames_meanwhile = 10;
+      std::optional<HeldWorkers> importers;
+      if (uploaded) importers.emplace(importers_of(daemon));
       std::unique_ptr<View> view;
       bool ended = false;
       viewer.begin_open(heavy, mesh, backend, view, ended);
@@ -112,10 +124,10 @@ TEST(View, OthersGetFramesWhileASceneIsImported) {
         viewer.update(*light, change);
         viewer.ask(*light);
         ASSERT_TRUE(viewer.next(*light)) << viewer.error().message;
-        ++frames;
+        if (++frames == frames_meanwhile) importers.reset();
       }
       ASSERT_TRUE(view) << viewer.error().message;
-      EXPECT_GT(frames, uploaded ? 10 : 0);
+      EXPECT_GE(frames, uploaded ? frames_meanwhile : 1);
       viewer.close(*view);
     }
   }
@@ -139,7 +151,7 @@ TEST(View, OneWhoseClientGoesWhileItIsImportedLeavesTheOthersAlone) {
     client->signal(SIGKILL);
     viewer.close(*light);
   }
-  EXPECT_EQ(daemon.json({"info"})["info"]["worker"][0]["starts"], 1) << "the worker lives";
+  EXPECT_EQ(daemon.json({"info"})["info"]["worker"][2]["starts"], 1) << "the worker lives";
 }
 
 TEST(View, EndsWithItsWorkerAndCanBeOpenedAgain) {
@@ -148,12 +160,35 @@ TEST(View, EndsWithItsWorkerAndCanBeOpenedAgain) {
   const auto view = viewer.open(direct_scene());
   ASSERT_TRUE(view);
   viewer.complete(*view, 0);
-  ::kill(daemon.worker_pid(), SIGKILL);
+  ::kill(daemon.views_worker_pid(), SIGKILL);
   EXPECT_FALSE(viewer.next(*view));
   EXPECT_EQ(viewer.error().message, "the worker was lost: killed by signal 9 (Killed)");
   const auto again = viewer.open(direct_scene());
   ASSERT_TRUE(again) << viewer.error().message;
   viewer.complete(*again, 0);
+}
+
+TEST(View, WhatAJobDoesToItsWorkerLeavesViewsAloneAndTheReverse) {
+  const Daemon daemon;
+  Viewer viewer(daemon);
+  const auto view = viewer.open(direct_scene());
+  ASSERT_TRUE(view);
+  viewer.complete(*view, 0);
+  RunningJob job(daemon, endless_scene());
+  ASSERT_NE(daemon.worker_pid(), daemon.views_worker_pid());
+  ::kill(daemon.worker_pid(), SIGKILL);
+  EXPECT_FALSE(job.event("retrying").is_null());
+  v1::UpdateView change;
+  change.set_revision(1);
+  *change.mutable_camera() = direct_scene().camera();
+  viewer.update(*view, change);
+  viewer.complete(*view, 1);
+  EXPECT_FALSE(job.event("tile").is_null());
+  ::kill(daemon.views_worker_pid(), SIGKILL);
+  viewer.ask(*view);
+  EXPECT_FALSE(viewer.next(*view));
+  EXPECT_EQ(daemon.job_state(job.id()), "running");
+  EXPECT_EQ(daemon.json({"info"})["info"]["worker"][0]["starts"], 2);
 }
 
 TEST(View, AClientHasAtMostFour) {

@@ -77,6 +77,102 @@ TEST_P(ViewOf, AChangedSceneShowsWhatOneOpenedOnItShows) {
   }
 }
 
+/// What a scene becomes another by.
+struct Replacement {
+  const char* name;
+  void (*make)(v1::Scene&);
+};
+const Replacement replacements[] = {
+    {"an object moves",
+     [](v1::Scene& scene) {
+       scene.mutable_object(1)->mutable_sphere()->mutable_center()->set_x(0.7);
+     }},
+    {"an object comes before others, with a material of its own",
+     [](v1::Scene& scene) {
+       const v1::Scene more = parsed(
+           "material { name: 'wall' lambert {} diffuse { constant: 0.5 } } object { name: 'wall' "
+           "material: 'wall' quad { corner { x: -2 z: -2 } u { x: 4 } v { y: 3 } } }");
+       scene.add_material()->CopyFrom(more.material(0));
+       scene.mutable_material()->SwapElements(0, 2);
+       scene.add_object()->CopyFrom(more.object(0));
+       scene.mutable_object()->SwapElements(0, 2);
+     }},
+    {"an object and its material go",
+     [](v1::Scene& scene) {
+       scene.mutable_object()->RemoveLast();
+       scene.mutable_material()->RemoveLast();
+     }},
+    {"lights and settings are others",
+     [](v1::Scene& scene) {
+       scene.mutable_light()->DeleteSubrange(0, 1);
+       scene.mutable_light(0)->set_luminance(0.9);
+       scene.mutable_settings()->set_width(60);
+       scene.mutable_settings()->mutable_method()->mutable_rgb();
+     }},
+    {"the mesh is another",
+     [](v1::Scene& scene) { scene.mutable_object(0)->mutable_mesh()->set_file("b.ply"); }},
+};
+
+/// A pyramid of this height.
+Upload pyramid(const std::string& name, double height) {
+  Upload mesh;
+  mesh.name = name;
+  mesh.bytes =
+      "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float "
+      "z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n-2 0 1\n2 0 1\n2 0 "
+      "-3\n-2 0 -3\n0 " +
+      std::to_string(height) + " -1\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n";
+  mesh.size = mesh.bytes.size();
+  mesh.sha256 = sha256(mesh.bytes);
+  return mesh;
+}
+
+TEST_P(ViewOf, AReplacedSceneShowsWhatOneOpenedOnItShows) {
+  const Daemon daemon;
+  Viewer viewer(daemon);
+  const std::vector<Upload> meshes = {pyramid("a.ply", 0.5), pyramid("b.ply", 1.2)};
+  v1::Scene scene = direct_scene();
+  scene.mutable_object(0)->mutable_mesh()->set_file("a.ply");
+  const auto view = viewer.open(scene, GetParam(), meshes);
+  ASSERT_TRUE(view) << viewer.error().message;
+  std::uint64_t revision = 0;
+  for (const Replacement& one : replacements) {
+    SCOPED_TRACE(one.name);
+    viewer.replace(*view, scene, ++revision, meshes);
+    const View::Picture before = viewer.complete(*view, revision);
+    v1::Scene other = scene;
+    one.make(other);
+    viewer.replace(*view, other, ++revision, meshes);
+    const View::Picture after = viewer.complete(*view, revision);
+    const auto fresh = viewer.open(other, GetParam(), meshes);
+    ASSERT_TRUE(fresh) << viewer.error().message;
+    const View::Picture expected = viewer.complete(*fresh, 0);
+    EXPECT_LE(different(after, expected), expected.rgb.size() / 100);
+    if (before.width == after.width) {
+      EXPECT_GT(different(before, after), before.rgb.size() / 100);
+    }
+    viewer.close(*fresh);
+  }
+
+  // A bad one is refused, with its problems, and the view stays as it was.
+  v1::Scene bad = scene;
+  bad.mutable_object(1)->set_material("none");
+  viewer.replace(*view, scene, ++revision, meshes);
+  const View::Picture before = viewer.complete(*view, revision);
+  viewer.replace(*view, bad, ++revision, meshes);
+  EXPECT_FALSE(viewer.next(*view));
+  ASSERT_EQ(viewer.error().problems.size(), 1u);
+  EXPECT_EQ(viewer.error().problems[0].field(), "object[1].material");
+  v1::UpdateView same;
+  same.set_revision(++revision);
+  *same.mutable_camera() = scene.camera();
+  viewer.update(*view, same);
+  const View::Picture after = viewer.complete(*view, revision);
+  // A GPU draws as many rows at once as the last ones took time: where one band ends, f32 may put a
+  // sample of an edge to its other side.
+  EXPECT_LE(different(after, before), GetParam() == v1::GL ? before.rgb.size() / 100 : 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Backend, ViewOf, testing::Values(v1::CPU, v1::GL),
                          [](const auto& info) { return v1::Backend_Name(info.param); });
 

@@ -43,9 +43,10 @@ class Viewer {
   }
 
   /// Null and the error where it can't be.
-  std::unique_ptr<client::View> open(const v1::Scene& scene, v1::Backend backend = v1::CPU) {
+  std::unique_ptr<client::View> open(const v1::Scene& scene, v1::Backend backend = v1::CPU,
+                                     const std::vector<client::Upload>& files = {}) {
     std::unique_ptr<client::View> view;
-    run([&] { return open_into(scene, {}, backend, view); });
+    run([&] { return open_into(scene, files, backend, view); });
     return view;
   }
   /// With a mesh, while this client goes on; how it came out is in error().
@@ -61,8 +62,21 @@ class Viewer {
       EXPECT_TRUE(co_await view.update(std::move(change), files));
     });
   }
-  void ask(client::View& view) {
-    run([&]() -> asio::awaitable<void> { co_await view.ask(); });
+  void replace(client::View& view, const v1::Scene& scene, std::uint64_t revision,
+               const std::vector<client::Upload>& files = {}) {
+    run([&]() -> asio::awaitable<void> {
+      const client::Submission submission = submission_of(scene, files);
+      EXPECT_TRUE(co_await view.replace(submission, revision));
+    });
+  }
+  void ask(client::View& view, bool xyz = false) {
+    run([&]() -> asio::awaitable<void> { co_await view.ask(xyz); });
+  }
+  client::Answer<v1::Probed> probe(client::View& view, std::uint32_t x, std::uint32_t y,
+                                   std::uint32_t side = 1) {
+    client::Answer<v1::Probed> answer;
+    run([&]() -> asio::awaitable<void> { answer = co_await view.probe(x, y, side); });
+    return answer;
   }
   void close(client::View& view) {
     run([&]() -> asio::awaitable<void> { EXPECT_TRUE(co_await view.close()); });
@@ -91,16 +105,22 @@ class Viewer {
   const client::SessionError& error() const { return error_; }
 
  private:
-  asio::awaitable<void> open_into(v1::Scene scene, std::vector<client::Upload> files,
-                                  v1::Backend backend, std::unique_ptr<client::View>& view) {
+  static client::Submission submission_of(const v1::Scene& scene,
+                                          std::vector<client::Upload> files) {
     client::Submission submission = client::make_submission(scene, {}, "view", false);
-    submission.request.set_backend(backend);
     for (client::Upload& file : files) {
       v1::AssetName& asset = *submission.request.add_asset();
       asset.set_name(file.name);
       asset.set_sha256(std::string(to_bytes(file.sha256)));
       submission.uploads.push_back(std::move(file));
     }
+    return submission;
+  }
+
+  asio::awaitable<void> open_into(v1::Scene scene, std::vector<client::Upload> files,
+                                  v1::Backend backend, std::unique_ptr<client::View>& view) {
+    client::Submission submission = submission_of(scene, std::move(files));
+    submission.request.set_backend(backend);
     auto opened = co_await client::View::open(*session_, submission);
     error_ = opened ? client::SessionError{} : opened.error();
     if (opened) view = std::move(*opened);

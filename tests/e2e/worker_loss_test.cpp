@@ -4,12 +4,31 @@
 
 #include <algorithm>
 #include <atomic>
+#include <fstream>
+#include <iterator>
 #include <thread>
 
 #include "running_job.h"
 
 namespace metamer::test {
 namespace {
+
+// Tests' daemons are told to start workers on any kernel; on one that can confine them they do.
+TEST(Worker, IsConfinedAndHasNothingOfTheDaemonsEnvironment) {
+  ASSERT_EQ(setenv("SECRET_OF_THE_DAEMON", "x", 1), 0);
+  const Daemon daemon;
+  unsetenv("SECRET_OF_THE_DAEMON");
+  const std::string sandbox = daemon.json({"info"})["info"]["worker"][0]["sandbox"];
+  if (sandbox.find("landlock:") != sandbox.npos) GTEST_SKIP() << sandbox;
+  EXPECT_TRUE(sandbox.starts_with("landlock ")) << sandbox;
+  EXPECT_TRUE(sandbox.ends_with(", seccomp")) << sandbox;
+  std::ifstream file("/proc/" + std::to_string(daemon.worker_pid()) + "/environ");
+  std::string environment{std::istreambuf_iterator<char>(file), {}};
+  std::replace(environment.begin(), environment.end(), '\0', ',');
+  EXPECT_TRUE(file.is_open());
+  EXPECT_EQ(environment.find("SECRET"), environment.npos);
+  EXPECT_EQ(("," + environment).find(",PATH="), std::string::npos);
+}
 
 struct Loss {
   const char* name;
@@ -21,21 +40,14 @@ void PrintTo(const Loss& loss, std::ostream* stream) { *stream << loss.name; }
 
 class WorkerLoss : public testing::TestWithParam<Loss> {};
 
-/// Asks the daemon over and over whether it lives, in a thread of its own, and keeps the worst
-/// answer.
+/// Asks the daemon over and over whether it lives, in a thread of its own.
 class Pinger {
  public:
   explicit Pinger(const Daemon& daemon)
       : thread_([this, &daemon] {
           while (!stop_) {
-            const Ended ended = daemon.metamer({"info", "--json"});
+            failed_ += daemon.metamer({"info", "--json"}).code != 0;
             ++asked_;
-            if (ended.code != 0) {
-              ++failed_;
-              continue;
-            }
-            const double seconds = parse_document(ended.out)["ping_seconds"];
-            slowest_ = std::max(slowest_, seconds);
           }
         }) {}
   ~Pinger() { stop(); }
@@ -45,19 +57,17 @@ class Pinger {
   }
   int asked() const { return asked_; }
   int failed() const { return failed_; }
-  double slowest() const { return slowest_; }
 
  private:
   std::atomic<bool> stop_ = false;
   int asked_ = 0;
   int failed_ = 0;
-  double slowest_ = 0;
   std::thread thread_;
 };
 
 TEST_P(WorkerLoss, IsToldAndMadeGood) {
   const Loss loss = GetParam();
-  const Daemon daemon(Daemon::Listens::unix_socket, {"--worker-timeout", "1"});
+  const Daemon daemon(Daemon::Listens::unix_socket, {"--worker-timeout", "3"});
   const pid_t worker = daemon.worker_pid();
   ASSERT_GT(worker, 0);
 
@@ -80,9 +90,7 @@ TEST_P(WorkerLoss, IsToldAndMadeGood) {
   EXPECT_TRUE(end.last.contains("finished")) << end.last;
   EXPECT_GT(pinger.asked(), 0);
   EXPECT_EQ(pinger.failed(), 0);
-  EXPECT_LT(pinger.slowest(), 1.0);
   RecordProperty("pings", pinger.asked());
-  RecordProperty("slowest_ping_us", static_cast<int>(pinger.slowest() * 1e6));
 
   // Its picture is that of an undisturbed run, and the next job renders.
   const Folder folder;
@@ -100,12 +108,14 @@ INSTANTIATE_TEST_SUITE_P(Signals, WorkerLoss,
                                          Loss{"Stopped", SIGSTOP, "no sign of life"}),
                          [](const auto& info) { return info.param.name; });
 
-TEST(WorkerLost, TwiceFailsTheJobWithItsReason) {
+TEST(WorkerLost, ThriceFailsTheJobWithItsReason) {
   const Daemon daemon;
   RunningJob job(daemon, endless_scene());
-  ASSERT_EQ(kill(daemon.worker_pid(), SIGKILL), 0);
-  ASSERT_FALSE(job.event("\"retrying\"").is_null());
-  ASSERT_FALSE(job.event("\"progress\"").is_null());
+  for (int loss = 0; loss < 2; ++loss) {
+    ASSERT_EQ(kill(daemon.worker_pid(), SIGKILL), 0);
+    ASSERT_FALSE(job.event("\"retrying\"").is_null());
+    ASSERT_FALSE(job.event("\"progress\"").is_null());
+  }
   ASSERT_EQ(kill(daemon.worker_pid(), SIGKILL), 0);
 
   const RunningJob::End end = job.end();

@@ -9,6 +9,7 @@
 
 #include "check.h"
 #include "common/mesh/mesh_file.h"
+#include "common/mesh/obj/materials.h"
 #include "common/scene/limits.h"
 
 namespace {
@@ -51,6 +52,15 @@ void check_mesh(const metamer::TriangleMesh& mesh) {
   }
 }
 
+void check_materials(const metamer::MtlFile& file) {
+  check(file.materials.size() <= metamer::max_mtl_names, "materials are bounded");
+  for (const metamer::MtlMaterial& one : file.materials)
+    for (const auto& color : {one.diffuse, one.specular})
+      check(!color || std::all_of(color->begin(), color->end(),
+                                  [](double value) { return std::isfinite(value); }),
+            "colours are finite");
+}
+
 /// What a format's files begin with tells which is meant.
 std::string name_of(std::string_view bytes) {
   if (bytes.starts_with("ply")) return "fuzz.ply";
@@ -63,6 +73,8 @@ std::string name_of(std::string_view bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto* const begin = reinterpret_cast<const char*>(data);
+  check(metamer::mtl_names({begin, size}).size() <= metamer::max_mtl_files, "few files");
+  check_materials(metamer::read_mtl({begin, size}));
   const std::string name = name_of({begin, size});
   const auto files = [&](const std::string& asked) -> metamer::Result<metamer::Bytes> {
     if (asked != name) return metamer::problem("is not there");

@@ -11,6 +11,7 @@
 
 #include "check.h"
 #include "common/mesh/gltf/buffers.h"
+#include "common/scene/looks/validate_looks.h"
 #include "common/scene/scene_file.h"
 #include "common/scene/settings.h"
 #include "common/scene/validate.h"
@@ -60,7 +61,7 @@ bool same(const std::vector<Problem>& a, const std::vector<Problem>& b) {
 
 /// What is known only when a file has been read: the file, its entry, how its samples are joined.
 bool is_of_a_file(const std::string& field) {
-  return field == "settings.observer_file" || field.ends_with(".file") ||
+  return field.ends_with(".observer_file") || field.ends_with(".file") ||
          field.ends_with(".entry") || field.ends_with(".interpolation");
 }
 
@@ -88,9 +89,17 @@ void check_sound(const v1::Scene& scene, const std::string& files) {
         "a sound scene's text reads back as the scene");
 }
 
+/// All that is wrong with a scene and its looks.
+std::vector<Problem> all_wrong(const v1::Scene& scene) {
+  std::vector<Problem> problems = metamer::validate_scene(scene);
+  const std::vector<Problem> looks = metamer::validate_looks(scene);
+  problems.insert(problems.end(), looks.begin(), looks.end());
+  return problems;
+}
+
 void check_scene(const v1::Scene& scene, const std::string& files) {
-  const auto problems = metamer::validate_scene(scene);
-  check(same(problems, metamer::validate_scene(scene)), "validation is deterministic");
+  const auto problems = all_wrong(scene);
+  check(same(problems, all_wrong(scene)), "validation is deterministic");
   for (const Problem& problem : problems) {
     check(!problem.field.empty(), "a finding has a field");
     check_message(problem, {});
@@ -105,7 +114,7 @@ void check_text(const std::string& text, const std::string& files) {
     check_message(file.error(), text);
     return;
   }
-  for (const Problem& problem : metamer::validate_scene(file->scene())) {
+  for (const Problem& problem : all_wrong(file->scene())) {
     const Problem located = file->locate(problem);
     check(located.file == name, "a located problem names the file");
     if (located.line > 0) check_place(located, text);

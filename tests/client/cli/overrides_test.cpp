@@ -20,6 +20,19 @@ std::string error_of(const Overrides& overrides, v1::Scene scene = {}) {
   return applied ? "" : applied.error().message;
 }
 
+TEST(Overrides, ALightThatLaterOnesTakeAllOfIsRefused) {
+  const v1::Scene lamp = scene_from("light { name: 'lamp' }");
+  const v1::Scene two = scene_from("light { name: 'lamp' } light { name: 'sun' }");
+  Overrides overrides;
+  overrides.lights = {"*=A", "lamp=D65"};
+  EXPECT_EQ(error_of(overrides, two), "");
+  EXPECT_EQ(error_of(overrides, lamp),
+            "--light: \"*\" has no effect: after it each light is named by itself");
+  overrides.lights = {"lamp=D65", "*=A"};
+  EXPECT_EQ(error_of(overrides, two),
+            "--light: \"lamp\" has no effect: \"*\" after it means all lights");
+}
+
 TEST(Overrides, LeaveOutWhatIsNotGiven) {
   v1::Scene scene = scene_from("settings { width: 7 spp: 3 method { rgb {} } }");
   const v1::Scene before = scene;

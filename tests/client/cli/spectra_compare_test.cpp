@@ -63,6 +63,7 @@ TEST(SpectraCompare, RefusesWhatIsNoNumber) {
     const Said said = say({"spectra", "compare", "TCS01", "TCS02", "--max", limit});
     EXPECT_EQ(said.code, ExitCode::bad_input) << limit;
     EXPECT_NE(said.err.find("--max"), std::string::npos) << said.err;
+    EXPECT_LT(said.err.size(), 200U) << said.err;
   }
 }
 
@@ -74,6 +75,98 @@ TEST(SpectraCompare, SaysWhatItTookItsLightsFor) {
   EXPECT_EQ(said.code, ExitCode::done) << said.err;
   EXPECT_NE(said.err.find("1 of 3 values were below 0 and are clamped"), std::string::npos)
       << said.err;
+}
+
+TEST(SpectraCompare, RefusesLightsWhoseSumsAreLost) {
+  const client::TemporaryFolder folder;
+  for (const char* power : {"1e308", "1e-310"}) {
+    const std::string p = power;
+    const std::string lamp =
+        folder.write("lamp.txt", "400 " + p + "\n500 " + p + "\n600 " + p + "\n700 " + p + "\n");
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"spectra", "compare", "TCS01", "TCS02", "--under", lamp},
+          {"spectra", "info", lamp},
+          {"spectra", "info", "TCS01", "--under", lamp}}) {
+      const Said said = say(words);
+      EXPECT_EQ(said.code, ExitCode::bad_input) << power;
+      EXPECT_NE(said.err.find(lamp + ":1"), std::string::npos) << said.err;
+      EXPECT_NE(said.err.find("can be summed"), std::string::npos) << said.err;
+    }
+  }
+}
+
+TEST(SpectraCompare, TheReferenceIsNoCandidate) {
+  const client::TemporaryFolder folder;
+  const std::string fabrics = folder.write(
+      "fab.csv",
+      "nm;ref [%];near [%];far [%]\n400;20;21;50\n500;30;31;30\n600;50;51;20\n700;60;61;10\n");
+  const Said said = say({"spectra", "compare", fabrics + "#ref", fabrics, "--json"});
+  ASSERT_EQ(said.code, ExitCode::done) << said.err;
+  EXPECT_EQ(said.json()["candidates"].size(), 2U);
+  EXPECT_EQ(said.json()["nearest"], fabrics + ": near");
+  EXPECT_EQ(say({"spectra", "compare", fabrics + "#ref", fabrics, "--max", "0.01"}).code,
+            ExitCode::other);
+  // Who asks for it by name has it.
+  EXPECT_EQ(say({"spectra", "compare", fabrics + "#ref", fabrics + "#ref", "--json"})
+                .json()["candidates"][0]["worst"]["de00"],
+            0);
+}
+
+TEST(SpectraCompare, SaysWhichIndexMIs) {
+  const Said said = say({"spectra", "compare", "TCS01", "TCS02", "--under", "A,D65"});
+  EXPECT_NE(said.out.find("M: the metamerism index of dE00 against A"), std::string::npos)
+      << said.out;
+}
+
+TEST(SpectraCompare, SaysWhereDataEndAndWhatIsALine) {
+  const client::TemporaryFolder folder;
+  const std::string paint = folder.write("paint.txt", "500 0.1\n600 0.5\n");
+  const std::string lamp = folder.write("lamp.txt", "450 5\n650 5\n");
+  const std::string line = folder.write("line.txt", "550 0.5\n");
+  const std::string eye = folder.write("eye.csv", [] {
+    std::string text;  // CIE 1931 by 50 nm, ended at 600 nm
+    for (const char* row :
+         {"400,0.01431,0.000396,0.06785", "450,0.3362,0.038,1.77211", "500,0.0049,0.323,0.272",
+          "550,0.43345,0.99495,0.00875", "600,1.0622,0.631,0.0008"})
+      text += row + std::string("\n");
+    return text;
+  }());
+  const auto told = [](const std::vector<std::string>& words, const std::string& what) {
+    const Said said = say(words);
+    EXPECT_EQ(said.code, ExitCode::done) << said.err;
+    EXPECT_NE(said.err.find(what), std::string::npos) << said.err;
+  };
+  const std::string beyond = "its data end at 500 and 600 nm: ", dark = "where it still has power";
+  told({"spectra", "compare", paint, "TCS01", "--under", "D65"}, beyond);
+  told({"spectra", "compare", "TCS01", paint, "--under", "D65"}, "of light \"D65\" lies beyond");
+  told({"spectra", "info", paint}, beyond);
+  told({"spectra", "rgb", paint}, beyond);
+  told({"spectra", "compare", "TCS01", "TCS02", "--under", lamp}, dark);
+  told({"spectra", "info", lamp}, dark);
+  told({"spectra", "compare", "TCS01", "TCS02", "--under", line},
+       "a line, as it has a single sample");
+  told({"spectra", "info", "D65", "--observer", eye}, "where it still sees 100 % of its most");
+  EXPECT_EQ(say({"spectra", "compare", "TCS01", "TCS02"}).err, "");
+  EXPECT_EQ(say({"spectra", "info", "D65", "TCS01", "F11", "--observer", "cie-1964-10deg"}).err,
+            "");
+}
+
+TEST(SpectraCompare, SaysWhatOfALightLooksLikeAPaint) {
+  const client::TemporaryFolder folder;
+  const auto err = [&](const std::string& text, const std::string& words = "") {
+    const std::string file = folder.write("a.csv", text);
+    return say({"spectra", "compare", "TCS01", "TCS02", "--under", file + words}).err;
+  };
+  const std::string percents = "nm;R [%]\n360;20\n500;30\n830;60\n";
+  EXPECT_NE(err(percents).find("by its own words"), std::string::npos) << err(percents);
+  EXPECT_EQ(err(percents, "@emission"), "");
+  EXPECT_NE(err("nm;wool [%]\n360;20\n500;30\n830;60\n").find("though the file is in percents"),
+            std::string::npos);
+  EXPECT_NE(err("nm,a\n360,0.2\n500,0.3\n830,0.6\n").find("its values lie in 0..1"),
+            std::string::npos);
+  EXPECT_EQ(err("nm,a\n360,0\n500,1\n830,0\n"), "") << "normalised, as lamps are";
+  EXPECT_NE(err("nm,reflectance\n360,0.2\n500,0.3\n830,0.6\n").find("by its own words"),
+            std::string::npos);
 }
 
 TEST(SpectraInfo, SaysWhatAFileWasTakenFor) {

@@ -163,12 +163,16 @@ TEST_F(Spectra, AsSaysWhatAFileIs) {
 
 TEST_F(Spectra, ResamplingTellsASpikeThatItMisses) {
   const std::string spike = write("spike.txt", "400 1\n546 1\n547 301\n548 1\n700 1\n");
+  const std::string unsaid =
+      "note: a plain file does not say that it is an emission: --as says it where it is read, or "
+      "write CGATS\n";
   const Said said =
       say({"spectra", "resample", spike, "--samples", "400:700:100", "-o", file("new.txt")});
   EXPECT_EQ(said.code, ExitCode::done);
   EXPECT_EQ(said.err, file("spike.txt") +
                           ": note: the new samples change its energy: 50 % of it is missed between "
-                          "500 and 600 nm, 50 % of it is missed in all\n");
+                          "500 and 600 nm, 50 % of it is missed in all\n" +
+                          unsaid);
   EXPECT_EQ(contents("new.txt"), "400 1\n500 1\n600 1\n700 1\n");
 
   EXPECT_EQ(
@@ -177,7 +181,8 @@ TEST_F(Spectra, ResamplingTellsASpikeThatItMisses) {
       file("spike.txt") + ": note: 16.7 % of its energy lies outside the new range\n" +
           file("spike.txt") +
           ": note: the new samples change its energy: 2.97e+03 % of it is added between "
-          "447 and 547 nm, 5.94e+03 % of it is added in all\n");
+          "447 and 547 nm, 5.94e+03 % of it is added in all\n" +
+          unsaid);
 }
 
 TEST_F(Spectra, ResamplingSaysWhereThereAreNoData) {

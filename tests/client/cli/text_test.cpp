@@ -27,7 +27,10 @@ TEST(Terminal, IsNotCommandedByWhatAServerSays) {
   job.set_reason(
       "b\r\xC2\x9B"
       "1A");
+  job.set_state(v1::FAILED);
+  job.set_user("\x1b[31mu");
   const std::string line = client::describe(job);
+  EXPECT_EQ(line.find('\x1b'), std::string::npos);
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   Report report(false);

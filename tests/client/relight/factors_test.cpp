@@ -105,6 +105,22 @@ TEST(Relight, TakesOtherSpectraOfTheSameNames) {
   EXPECT_NEAR(image.at(0, 0)[1], 2 * 0.75 * 0.25, 1e-6);
 }
 
+TEST(Relight, ManyPicturesAreBitForBitWhatEachIsAlone) {
+  const Factors factors = build();
+  std::vector<v1::SceneFactors> scenes(2 * relit_together + 1, scene());
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+    set(*scenes[i].mutable_light(0)->mutable_power(), {360, 500, 830},
+        {1, 0.1 * static_cast<double>(i), 2});
+  for (const std::size_t count : {std::size_t{1}, relit_together - 1, scenes.size()}) {
+    std::vector<Image> pictures(2, make_image(2, 1, {"X", "Y", "Z"}));
+    pictures[0].pixels.assign(6, 7);
+    relight(factors, std::span(scenes).first(count), cie::observer_1931(), pictures);
+    ASSERT_EQ(pictures.size(), count);
+    for (std::size_t i = 0; i < count; ++i)
+      EXPECT_EQ(pictures[i].pixels, relight(factors, scenes[i], cie::observer_1931()).pixels) << i;
+  }
+}
+
 TEST(Relight, ASpectrumSumsToItsColour) {
   const Wavelengths all = observer_wavelengths();
   const Factors factors = build();

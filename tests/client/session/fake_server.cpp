@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include <thread>
+
 namespace metamer::test {
 
 namespace asio = boost::asio;
@@ -36,11 +38,23 @@ asio::awaitable<void> FakeServer::serve() {
     std::vector<v1::Envelope> answers = answer_(request);
     for (v1::Envelope& one : answers) {
       if (one.body_case() == v1::Envelope::BODY_NOT_SET) co_return;
-      one.set_request_id(request.request_id());
+      if (one.request_id() == 0) one.set_request_id(request.request_id());
       const auto sent = co_await channel.write(one);
       if (!sent) co_return;
     }
   }
+}
+
+asio::awaitable<void> FakeServer::serve_all() {
+  while (true) co_await serve();
+}
+
+void FakeServer::beside(const std::function<void(const std::string&)>& work) {
+  asio::co_spawn(loop_, serve_all(), asio::detached);
+  std::thread thread([this] { loop_.run(); });
+  work("unix:" + folder_ + "/socket");
+  loop_.stop();
+  thread.join();
 }
 
 std::optional<SessionError> FakeServer::run(Work work, ConnectLimits limits,
@@ -76,6 +90,20 @@ v1::Envelope error(v1::Error::Code code, const std::string& message) {
   v1::Envelope envelope;
   envelope.mutable_error()->set_code(code);
   envelope.mutable_error()->set_message(message);
+  return envelope;
+}
+
+v1::Envelope event(std::uint64_t sequence) {
+  v1::Envelope envelope;
+  envelope.mutable_job_event()->set_sequence(sequence);
+  envelope.mutable_job_event()->mutable_progress();
+  return envelope;
+}
+
+v1::Envelope last_event(std::uint64_t sequence) {
+  v1::Envelope envelope;
+  envelope.mutable_job_event()->set_sequence(sequence);
+  envelope.mutable_job_event()->mutable_cancelled();
   return envelope;
 }
 

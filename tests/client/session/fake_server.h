@@ -15,7 +15,8 @@ namespace metamer::test {
 using namespace client;
 
 /// A server that does what a test says: each request goes to `answer`, which gives what to send
-/// back, in order, each with the request's number filled in. An answer without a body closes.
+/// back, in order, each with the request's number filled in where it has none. An answer without a
+/// body closes.
 class FakeServer {
  public:
   using AnswerTo = std::function<std::vector<v1::Envelope>(const v1::Envelope& request)>;
@@ -29,8 +30,13 @@ class FakeServer {
   std::optional<SessionError> run(Work work, ConnectLimits limits = {},
                                   boost::asio::cancellation_slot cancel = {});
 
+  /// Serves one connection after another on a thread of its own while `work` runs here; `answer` is
+  /// then called on that thread.
+  void beside(const std::function<void(const std::string& server)>& work);
+
  private:
   boost::asio::awaitable<void> serve();
+  boost::asio::awaitable<void> serve_all();
 
   AnswerTo answer_;
   std::string folder_;
@@ -41,5 +47,8 @@ class FakeServer {
 /// A Welcome with ordinary limits.
 v1::Envelope welcome(std::uint32_t version = 1);
 v1::Envelope error(v1::Error::Code code, const std::string& message);
+/// A job's progress, and its end.
+v1::Envelope event(std::uint64_t sequence);
+v1::Envelope last_event(std::uint64_t sequence);
 
 }  // namespace metamer::test

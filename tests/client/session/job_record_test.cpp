@@ -1,5 +1,5 @@
 // A job's events become its record; what a server leaves out of it is an error.
-#include "client/session/job_record.h"
+#include "client/session/record_job.h"
 
 #include <gtest/gtest.h>
 

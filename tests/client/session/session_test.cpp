@@ -12,20 +12,6 @@ namespace asio = boost::asio;
 using Kind = SessionError::Kind;
 using Envelopes = std::vector<v1::Envelope>;
 
-v1::Envelope event(std::uint64_t sequence) {
-  v1::Envelope envelope;
-  envelope.mutable_job_event()->set_sequence(sequence);
-  envelope.mutable_job_event()->mutable_progress();
-  return envelope;
-}
-
-v1::Envelope last_event(std::uint64_t sequence) {
-  v1::Envelope envelope;
-  envelope.mutable_job_event()->set_sequence(sequence);
-  envelope.mutable_job_event()->mutable_cancelled();
-  return envelope;
-}
-
 asio::awaitable<void> nothing(Session&) { co_return; }
 
 TEST(Handshake, NamesProgramAndVersion) {
@@ -202,91 +188,6 @@ TEST(Submit, RefusesAnAssetOverTheLimit) {
   EXPECT_TRUE(store.arrived.empty());
 }
 
-TEST(Watch, GivesEventsUpToTheLastAndNoFurther) {
-  FakeServer server([](const v1::Envelope& request) -> Envelopes {
-    if (request.has_hello()) return {welcome()};
-    return {event(3), event(4), last_event(7), event(8)};
-  });
-  std::vector<std::uint64_t> seen;
-  EXPECT_FALSE(server.run([&](Session& session) -> asio::awaitable<void> {
-    Session::OnEvent on_event = [&](const v1::JobEvent& one) -> Answer<void> {
-      seen.push_back(one.sequence());
-      return {};
-    };
-    const Answer<void> watched = co_await session.watch({}, on_event);
-    EXPECT_TRUE(watched);
-  }));
-  EXPECT_EQ(seen, (std::vector<std::uint64_t>{3, 4, 7}));
-}
-
-TEST(Watch, ManyMoreEventsThanAnInboxHoldsComeInOrder) {
-  FakeServer server([](const v1::Envelope& request) -> Envelopes {
-    if (request.has_hello()) return {welcome()};
-    Envelopes events;
-    for (std::uint64_t i = 1; i <= 1000; ++i) events.push_back(event(i));
-    events.push_back(last_event(1001));
-    return events;
-  });
-  std::uint64_t last = 0;
-  EXPECT_FALSE(server.run([&](Session& session) -> asio::awaitable<void> {
-    Session::OnEvent on_event = [&](const v1::JobEvent& one) -> Answer<void> {
-      EXPECT_EQ(one.sequence(), last + 1);
-      last = one.sequence();
-      return {};
-    };
-    const Answer<void> watched = co_await session.watch({}, on_event);
-    EXPECT_TRUE(watched);
-  }));
-  EXPECT_EQ(last, 1001u);
-}
-
-TEST(Watch, ACallersErrorEndsItAndTheSessionGoesOn) {
-  FakeServer server([](const v1::Envelope& request) -> Envelopes {
-    if (request.has_hello()) return {welcome()};
-    if (request.has_watch()) {
-      Envelopes events;
-      for (std::uint64_t i = 1; i <= 100; ++i) events.push_back(event(i));
-      return events;
-    }
-    v1::Envelope pong;
-    pong.mutable_pong();
-    return {pong};
-  });
-  EXPECT_FALSE(server.run([](Session& session) -> asio::awaitable<void> {
-    Session::OnEvent on_event = [](const v1::JobEvent&) -> Answer<void> {
-      return session_error(Kind::input, "enough");
-    };
-    const Answer<void> watched = co_await session.watch({}, on_event);
-    EXPECT_FALSE(watched);
-    if (!watched) {
-      EXPECT_EQ(watched.error().message, "enough");
-    }
-    const Answer<double> ping = co_await session.ping();
-    EXPECT_TRUE(ping);
-  }));
-}
-
-TEST(Watch, LostConnectionInTheMiddleIsTold) {
-  FakeServer server([](const v1::Envelope& request) -> Envelopes {
-    if (request.has_hello()) return {welcome()};
-    return {event(1), {}};
-  });
-  EXPECT_FALSE(server.run([](Session& session) -> asio::awaitable<void> {
-    Session::OnEvent on_event = [](const v1::JobEvent&) -> Answer<void> { return {}; };
-    const Answer<void> watched = co_await session.watch({}, on_event);
-    EXPECT_FALSE(watched);
-    if (!watched) {
-      EXPECT_EQ(watched.error().kind, Kind::disconnected);
-    }
-    // From now on every request says so.
-    const Answer<v1::JobList> jobs = co_await session.list();
-    EXPECT_FALSE(jobs);
-    if (!jobs) {
-      EXPECT_EQ(jobs.error().kind, Kind::disconnected);
-    }
-  }));
-}
-
 TEST(Requests, MayOverlap) {
   // The job's end comes only after it was cancelled, which happens while it is watched.
   std::uint64_t watch_id = 0;
@@ -318,6 +219,43 @@ TEST(Requests, MayOverlap) {
   }));
   EXPECT_TRUE(cancelled);
   EXPECT_NE(watch_id, 0u);
+}
+
+TEST(Requests, AListComesInAsManyAnswersAsItTakes) {
+  bool mine = true;
+  FakeServer server([&](const v1::Envelope& request) -> Envelopes {
+    if (request.has_hello()) return {welcome()};
+    mine = mine && request.list_jobs().mine();
+    const std::uint64_t after = request.list_jobs().after();
+    v1::Envelope page;
+    for (std::uint64_t id = after + 1; id <= std::min<std::uint64_t>(after + 3, 8); ++id)
+      page.mutable_job_list()->add_job()->set_job_id(id);
+    page.mutable_job_list()->set_more(after + 3 < 8);
+    return {page};
+  });
+  EXPECT_FALSE(server.run([](Session& session) -> asio::awaitable<void> {
+    const Answer<v1::JobList> jobs = co_await session.list(true);
+    EXPECT_TRUE(jobs);
+    if (!jobs) co_return;
+    EXPECT_EQ(jobs->job_size(), 8);
+    for (int i = 0; i < jobs->job_size(); ++i)
+      EXPECT_EQ(jobs->job(i).job_id(), static_cast<std::uint64_t>(i + 1));
+    EXPECT_FALSE(jobs->more());
+  }));
+  EXPECT_TRUE(mine);
+}
+
+TEST(Requests, AListThatPromisesMoreAndHasNoneEnds) {
+  FakeServer server([&](const v1::Envelope& request) -> Envelopes {
+    if (request.has_hello()) return {welcome()};
+    v1::Envelope page;
+    page.mutable_job_list()->set_more(true);
+    return {page};
+  });
+  EXPECT_FALSE(server.run([](Session& session) -> asio::awaitable<void> {
+    const Answer<v1::JobList> jobs = co_await session.list();
+    EXPECT_TRUE(jobs && jobs->job_size() == 0);
+  }));
 }
 
 TEST(Requests, AnAnswerOfAnotherKindIsAnError) {

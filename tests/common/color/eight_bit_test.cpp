@@ -41,6 +41,29 @@ TEST(EightBit, IsTheFormulasNearestCodeInEverySpace) {
   }
 }
 
+TEST(EightBit, ManyAreWhatEachIs) {
+  std::vector<Transfer> transfers = {Transfer{}, Transfer{.gamma = 1e-3}, Transfer{.gamma = 1e3}};
+  for (const std::string& word : rgb_space_words())
+    transfers.push_back(find_rgb_space(word)->transfer);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> anywhere(-0.2f, 1.2f), exponent(-40, 1);
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  std::vector<float> values = {infinity, -infinity, std::numeric_limits<float>::quiet_NaN(), 0, 1};
+  while (values.size() < 5000)
+    values.push_back(values.size() % 2 ? anywhere(random) : std::exp2(exponent(random)));
+  for (const Transfer& transfer : transfers) {
+    SCOPED_TRACE(transfer.gamma);
+    const EightBit codes(transfer);
+    for (const std::size_t count :
+         {std::size_t{0}, std::size_t{1}, std::size_t{256}, std::size_t{257}, values.size()}) {
+      std::vector<std::uint8_t> many(count + 1, 77);
+      codes(std::span(values).first(count), many.data());
+      for (std::size_t i = 0; i < count; ++i) ASSERT_EQ(many[i], codes(values[i])) << values[i];
+      EXPECT_EQ(many.back(), 77) << "nothing is written behind the last";
+    }
+  }
+}
+
 TEST(EightBit, SaysWhatClippingLoses) {
   const EightBit codes(rgb_space(StandardSpace::srgb).transfer);
   constexpr float infinity = std::numeric_limits<float>::infinity();

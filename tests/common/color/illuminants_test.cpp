@@ -26,6 +26,17 @@ std::string fault_of(const std::string& name) {
   return light ? "no error" : light.error().message;
 }
 
+TEST(Illuminants, LinesHavePowersThatCanBeSummed) {
+  const std::string zeros(150, '0');
+  for (const std::string& number : {"1" + zeros, "0." + zeros + "1"}) {
+    const auto light = illuminant_named("546nm:" + number);
+    ASSERT_FALSE(light) << number;
+    EXPECT_NE(light.error().message.find("a line's power lies in 1e-100..1e+100"),
+              std::string::npos)
+        << light.error().message;
+  }
+}
+
 TEST(Illuminants, OfDaylightHaveTheChromaticitiesOfCie15) {
   // CIE 15:2004, table 3; the temperatures are the nominal ones times 1.4388 / 1.4380.
   expect_white("D:5003K", 0.3457, 0.3585, 2e-4);
@@ -36,12 +47,23 @@ TEST(Illuminants, OfDaylightHaveTheChromaticitiesOfCie15) {
 
 TEST(Illuminants, OfDaylightAreTheTablesOfCie15) {
   // CIE 15 rounds the shares of the components to three digits, and the tables to five.
-  const Spectrum daylight = *illuminant_named("D:6504K");
-  const Spectrum& table = *cie::illuminant("D65");
-  const double scale = resample(table, {560}, Outside::zero).values.front();
-  const std::vector<double> values = resample(table, daylight.nm, Outside::zero).values;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    EXPECT_NEAR(daylight.values[i], values[i] / scale, 2e-3) << daylight.nm[i];
+  for (const auto& [name, formula] : {std::pair{"D65", "D:6504K"}, std::pair{"D75", "D:7504K"}}) {
+    const Spectrum daylight = *illuminant_named(formula);
+    ASSERT_NE(cie::illuminant(name), nullptr) << name;
+    const Spectrum& table = *cie::illuminant(name);
+    const double scale = resample(table, {560}, Outside::zero).values.front();
+    const std::vector<double> values = resample(table, daylight.nm, Outside::zero).values;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      EXPECT_NEAR(daylight.values[i], values[i] / scale, 2e-3) << name << " " << daylight.nm[i];
+  }
+}
+
+TEST(Illuminants, OfDaylightByTheirNamesHaveTheChromaticitiesOfCie15) {
+  // CIE 15:2004, table T.3, which sums by 5 nm; the largest difference that makes is of D50.
+  expect_white("D50", 0.34567, 0.35850, 1e-4);
+  expect_white("D55", 0.33242, 0.34743, 1e-4);
+  expect_white("D65", 0.31272, 0.32903, 5e-5);
+  expect_white("D75", 0.29902, 0.31485, 3e-5);
 }
 
 TEST(Illuminants, OfBlackBodiesLieOnThePlanckianLocus) {
@@ -79,6 +101,13 @@ TEST(Illuminants, SayWhatIsWrongWithAName) {
 
 TEST(Illuminants, ThatLackAUnitOrASignAreToldHowTheyAreWritten) {
   const std::string no = " is not a standard illuminant; ";
+  for (const char* name :
+       {"435.8:1+546", "435.8nm:1 + 546nm", "435.8 : 1+546nm", "435.8nm:1+546"}) {
+    EXPECT_EQ(fault_of(name), quoted(name) + no + "a list of lines is \"435.8nm:1+546nm\"");
+    EXPECT_TRUE(names_formula(name)) << name;
+  }
+  for (const char* name : {"a+b", "436+", "436nm:", "C:1", "+", ":"})
+    EXPECT_FALSE(names_formula(name)) << name;
   for (const char* name : {"2856", "2856 K", "2856k"})
     EXPECT_EQ(fault_of(name), quoted(name) + no + "a black body of that temperature is \"2856K\"");
   for (const char* name : {"D:6504", "D6504", "D6504K", "d:6504K", "D:6504 K"})

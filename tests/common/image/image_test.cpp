@@ -302,6 +302,23 @@ TEST_F(ImageFile, AHeaderThatAsksForTooMuchIsRefused) {
                 ": error: the picture is too large: 60000 × 60000 × 3 values, at most 268435456");
 }
 
+TEST_F(ImageFile, AShortFileAsksForNoMoreThanItCanHold) {
+  const std::string size("\0\0\x20\0", 4);  // 8192
+  const std::string rest("\x08\x02\0\0\0", 5);
+  std::ofstream(folder_ / "a.png", std::ios::binary)
+      << "\x89PNG\r\n\x1A\n"
+      << png_chunk("IHDR", size + size + rest) << png_chunk("IDAT", "x");
+  EXPECT_EQ(
+      read_error(folder_ / "a.png"),
+      (folder_ / "a.png").string() +
+          ": error: can't read the picture: it is cut short, or its size is wrong: 8192 × 8192 "
+          "pixels can't be in it");
+  // Black by the best that deflate can do, 1032 to 1, is still read.
+  const std::vector<std::uint8_t> black(std::size_t{3} * 4096 * 4096);
+  ASSERT_TRUE(write_rgb(4096, 4096, black, folder_ / "b.png", {}));
+  EXPECT_TRUE(read_image(folder_ / "b.png"));
+}
+
 TEST_F(ImageFile, NothingStartsThreads) {
   const auto threads = [] {
     std::size_t count = 0;

@@ -1,6 +1,11 @@
 // EXR files of all kinds: which part and layer is the picture, and which pixels.
 #include "common/image/read_exr_xyz.h"
 
+#include <sys/resource.h>
+
+#include <fstream>
+#include <iterator>
+
 #include "common/color/srgb.h"
 #include "common/color/xyz.h"
 #include "common/image/compare.h"
@@ -186,6 +191,23 @@ TEST_F(ExrFile, IsItsDisplayWindowBlackWithoutData) {
   write_parts(file,
               {{.channels = xyz, .display = {{0, 0}, {99999, 99999}}, .data = {{0, 0}, {1, 1}}}});
   EXPECT_EQ(exr_refusal(file).substr(0, 24), "the picture is too large");
+}
+
+TEST_F(ExrFile, AnAttributeThatClaimsMoreThanTheFileHasIsRefused) {
+  const fs::path file = folder_ / "a.exr";
+  write_parts(file, {{.name = "C", .channels = wanted}, {.name = "N", .channels = other}});
+  std::ifstream in(file, std::ios::binary);
+  std::string bytes(std::istreambuf_iterator<char>(in), {});
+  const std::string attribute("name\0string\0", 12);
+  const std::size_t at = bytes.find(attribute);
+  ASSERT_NE(at, std::string::npos);
+  bytes.replace(at + attribute.size(), 4, "\xF0\xFF\xFF\x7F");
+  std::ofstream(file, std::ios::binary) << bytes;
+  rusage before{}, after{};
+  getrusage(RUSAGE_SELF, &before);
+  EXPECT_EQ(exr_refusal(file).substr(0, 22), "can't read the picture");
+  getrusage(RUSAGE_SELF, &after);
+  EXPECT_LT(after.ru_maxrss, before.ru_maxrss + 100'000) << "KiB";
 }
 
 TEST_F(ExrFile, OfAnySampleTypeIsRead) {

@@ -146,6 +146,15 @@ TEST_F(SceneAssets, MissingFilesOfferTheNearestOne) {
                      "object[2].mesh.file: file \"mesh/cube.ply/x.ply\" does not exist"}));
 }
 
+TEST_F(SceneAssets, AMissingFileIsNamedAlsoWhereNoneIsNear) {
+  const auto assets = collect_assets(meshes({"mesh/cubes.ply", "other/cube.ply"}), folder_);
+  ASSERT_EQ(assets.error().size(), 2u);
+  EXPECT_EQ(assets.error()[0].was, "mesh/cubes.ply");
+  EXPECT_EQ(assets.error()[0].meant, "mesh/cube.ply");
+  EXPECT_EQ(assets.error()[1].was, "other/cube.ply");
+  EXPECT_EQ(assets.error()[1].meant, "");
+}
+
 TEST_F(SceneAssets, WhatIsNoFileIsNamed) {
   ASSERT_EQ(mkfifo((folder_ / "pipe.ply").c_str(), 0600), 0);
   write("empty.ply", "");

@@ -65,6 +65,23 @@ TEST(SceneLocate, PathsThatAreNoneAreNowhere) {
   EXPECT_EQ(place_of(scene, "camera..eye"), "2:1");
 }
 
+TEST(SceneLocate, ANumberIsNamedAsItIsWritten) {
+  const auto was = [](const std::string& text, const std::string& field, const std::string& value) {
+    const auto file = SceneFile::parse(text, "s.txtpb");
+    EXPECT_TRUE(file) << text;
+    Problem problem{.field = field, .file = {}, .message = {}, .was = value, .meant = "1"};
+    return file->locate(problem).was;
+  };
+  EXPECT_EQ(was("camera { eye { z: 2.0E+15 } }", "camera.eye.z", "2e+15"), "2.0E+15");
+  EXPECT_EQ(was("camera { eye { z :\n\t-0.50 } }", "camera.eye.z", "-0.5"), "-0.50");
+  EXPECT_EQ(was("settings { width: 020 }", "settings.width", "16"), "16") << "octal: left as it is";
+  EXPECT_EQ(was("camera { eye { z: 1 } }", "camera.eye.y", "0"), "0") << "not in the text";
+  EXPECT_EQ(was("object { material: '7' }", "object[0].material", "7"), "7");
+  const std::string list = "light { spectrum { samples { wavelength: [4e2, 500.0] } } }";
+  EXPECT_EQ(was(list, "light[0].spectrum.samples.wavelength[0]", "400"), "4e2");
+  EXPECT_EQ(was(list, "light[0].spectrum.samples.wavelength[1]", "500"), "500.0");
+}
+
 TEST(SceneLocate, APlaceInsideAnAssetStays) {
   const auto file = SceneFile::parse(scene, "s.txtpb");
   ASSERT_TRUE(file);

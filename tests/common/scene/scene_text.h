@@ -20,6 +20,10 @@ struct SceneText {
   std::string all() const { return camera + light + material + object + settings; }
 };
 
+/// A message that offers something names it, and put in its place it removes the problem:
+/// `problem`, of `text`. text_findings and parse_error expect it of all that they find.
+void expect_offer_mends(const std::string& text, Problem problem);
+
 /// What parsing `text`, the file "s.txtpb", says, as a person sees it; empty: nothing.
 std::string parse_error(const std::string& text);
 

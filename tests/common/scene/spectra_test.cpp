@@ -1,8 +1,12 @@
 #include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 
+#include "common/image/spectral_exr.h"
 #include "common/scene/limits.h"
 #include "common/scene/validate.h"
 #include "common/spectral/cie.h"
@@ -31,6 +35,22 @@ const char* const two_reds =
     "NUMBER_OF_FIELDS 5\nNUMBER_OF_SETS 2\n"
     "BEGIN_DATA_FORMAT\nSAMPLE_ID SPEC_400 SPEC_500 SPEC_600 SPEC_700\nEND_DATA_FORMAT\n"
     "BEGIN_DATA\nred 0.1 0.1 0.7 0.8\nwine 0.1 0 0.3 0.4\nEND_DATA\n";
+
+/// A reflectance of 0.25 at the left and 0.75 at the right, and more than 1 below.
+std::string two_swatches() {
+  SpectralImage image;
+  image.width = image.height = 2;
+  image.reflectance = true;
+  image.nm = {400, 500, 600, 700};
+  for (const float value : {0.25F, 0.75F, 1.5F, 1.5F})
+    image.values.insert(image.values.end(), 4, value);
+  const auto file = std::filesystem::temp_directory_path() / "metamer-two-swatches.exr";
+  EXPECT_TRUE(write_spectral_exr(image, make_image(2, 2, {"X", "Y", "Z"}), file, {}));
+  std::ifstream stream(file, std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(stream)), {});
+  std::filesystem::remove(file);
+  return bytes;
+}
 
 v1::Spectrum from_file(const std::string& name, const std::string& entry = {}) {
   v1::Spectrum message;
@@ -286,6 +306,35 @@ TEST(SceneSpectrum, LightsAreNamedByTemperature) {
   EXPECT_EQ(light_spectrum("standard: \"D:3000K\""),
             Strings({"light[0].spectrum.standard: \"D:3000K\" is out of range: daylight may have "
                      "4000 to 25000 K"}));
+}
+
+TEST(PicturesSpectra, APixelIsAnEntry) {
+  Files files{{{"swatches.exr", two_swatches()}}, {}};
+  const auto load = [&](const std::string& entry, SpectrumRole role = SpectrumRole::property) {
+    return load_spectrum(from_file("swatches.exr", entry), "m.diffuse", role, files.reader());
+  };
+  EXPECT_EQ(load("1x0")->values, std::vector<double>(4, 0.75));
+  EXPECT_EQ(load("0x0-1x0")->values, std::vector<double>(4, 0.5));
+  const auto above = load("0x1");
+  ASSERT_FALSE(above);
+  EXPECT_EQ(above.error().field, "m.diffuse.file");
+  EXPECT_NE(above.error().message.find("a reflectance must lie in 0..1"), std::string::npos);
+  const auto outside = load("2x0");
+  ASSERT_FALSE(outside);
+  EXPECT_EQ(outside.error().field, "m.diffuse.file");
+  EXPECT_EQ(outside.error().message, "has no pixel there: it has 2 by 2");
+  EXPECT_FALSE(load(""));
+  // The file says that it is a reflectance.
+  EXPECT_FALSE(load("0x0", SpectrumRole::emission));
+
+  // Pixels of one file in one scene are told apart.
+  v1::Scene scene;
+  for (const char* entry : {"0x0", "0x1", "3x3"})
+    *scene.add_material()->mutable_diffuse() = from_file("swatches.exr", entry);
+  const auto problems = describe(validate_spectra(scene, files.reader()));
+  ASSERT_EQ(problems.size(), 2u);
+  EXPECT_EQ(problems[0].substr(0, 24), "material[1].diffuse.file");
+  EXPECT_EQ(problems[1].substr(0, 24), "material[2].diffuse.file");
 }
 
 }  // namespace

@@ -104,6 +104,25 @@ TEST(SceneValidate, Light) {
                      "position"}));
 }
 
+TEST(SceneValidate, PowersOfALightCanBeSummed) {
+  // Every number of a scene is bounded by 1e15.
+  const auto finding = [](const std::string& spectrum) {
+    return findings({.light = "light { position { } spectrum { " + spectrum + " } }"});
+  };
+  EXPECT_EQ(finding("samples { wavelength: [400, 700] value: [0, 1e-310] }"),
+            Strings({"light[0].spectrum.samples.value: the largest value, 1e-310, is too small: at "
+                     "least 1e-100 can be summed"}));
+  EXPECT_EQ(finding("constant: 1e-310"),
+            Strings({"light[0].spectrum.constant: constant must lie in 1e-100..1e+100 (it is "
+                     "1e-310)"}));
+  EXPECT_EQ(finding("line { nm: 546 power: 1e-310 }"),
+            Strings({"light[0].spectrum.line[0].power: power must lie in 1e-100..1e+100 (it is "
+                     "1e-310)"}));
+  EXPECT_EQ(finding("samples { wavelength: [400, 700] value: [1e-100, 1e15] }"), Strings());
+  EXPECT_EQ(finding("samples { wavelength: [400, 700] value: [1, 1e308] }").size(), 1U);
+  EXPECT_EQ(finding("constant: 1e308").size(), 1U);
+}
+
 TEST(SceneValidate, Material) {
   EXPECT_EQ(
       findings({.material =

@@ -13,9 +13,9 @@ double value_at(const Spectrum& spectrum, double nm) {
 
 TEST(CieTables, AreAllThere) {
   EXPECT_EQ(cie::illuminant_names(),
-            (std::vector<std::string>{"A",  "B",  "C",  "D50", "D55", "D65", "D93",
-                                      "E",  "F1", "F2", "F3",  "F4",  "F5",  "F6",
-                                      "F7", "F8", "F9", "F10", "F11", "F12"}));
+            (std::vector<std::string>{"A",   "B",  "C",  "D50", "D55", "D65", "D75",
+                                      "D93", "E",  "F1", "F2",  "F3",  "F4",  "F5",
+                                      "F6",  "F7", "F8", "F9",  "F10", "F11", "F12"}));
   ASSERT_EQ(cie::test_color_names().size(), 15U);
   EXPECT_EQ(cie::test_color_names().front(), "TCS01");
   EXPECT_EQ(cie::test_color_names().back(), "TCS15");

@@ -172,7 +172,7 @@ TEST(Interpolation, OfSmoothLightIsCurved) {
           Interpolation::sprague)
           << width;
   }
-  for (const char* name : {"A", "B", "C", "D50", "D55", "D65", "D93", "E"})
+  for (const char* name : {"A", "B", "C", "D50", "D55", "D65", "D75", "D93", "E"})
     for (const double step : {5.0, 10.0, 20.0}) {
       const Spectrum& table = *cie::illuminant(name);
       const Spectrum light =

@@ -62,6 +62,23 @@ TEST(Resample, ASingleSampleIsALineOrAConstant) {
   EXPECT_EQ(held.above, 1U);
 }
 
+TEST(Spectrum, IsRefusedWhereItsSumsAreLost) {
+  // f64 ends at 1.8e308, and 1 / x is finite down to 5.6e-309 (IEEE 754).
+  const auto fault = [](std::vector<double> values) {
+    const auto made = make_spectrum({400, 500, 600}, std::move(values));
+    return made ? std::string() : made.error().message;
+  };
+  EXPECT_EQ(fault({1, 1e308, 1e308}),
+            "the value at 500 nm, 1e+308, is too large: at most 1e+100 can be summed");
+  EXPECT_EQ(fault({1, 1, -1e101}),
+            "the value at 600 nm, -1e+101, is too large: at most 1e+100 can be summed");
+  EXPECT_EQ(fault({0, 5e-324, 1e-310}),
+            "the largest value, 1e-310, is too small: at least 1e-100 can be summed");
+  EXPECT_EQ(fault({0, 5e-324, 1}), "");
+  EXPECT_EQ(fault({0, 0, 0}), "");
+  EXPECT_EQ(fault({-1e100, 1e-100, 1e100}), "");
+}
+
 TEST(Resample, DoesNotOverflowBetweenHugeValues) {
   const double huge = std::numeric_limits<double>::max();
   const Spectrum steep = {.nm = {400, 500}, .values = {-huge, huge}};

@@ -152,4 +152,109 @@ TEST(Channel, BytesThatAreNoMessageAreAFrameError) {
   EXPECT_EQ(reading.error.message, "the frame holds no metamer.v1.Envelope");
 }
 
+TEST(Channel, TlsIsKnownByItsFirstBytes) {
+  for (const std::string& bytes :
+       {std::string("\x16\x03\x01\x02", 4), std::string("\x15\x03\x03\x00\x02\x02\x46", 7)}) {
+    const auto reading = read_all(bytes, Peer::client);
+    EXPECT_EQ(reading.error.kind, ChannelError::Kind::frame);
+    EXPECT_TRUE(reading.error.tls);
+  }
+}
+
+namespace {
+
+/// Two ends of a connection.
+struct Ends {
+  asio::io_context loop;
+  Socket one{loop}, other{loop};
+  Ends() {
+    int pair[2];
+    EXPECT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, pair), 0);
+    one.assign(asio::generic::stream_protocol(AF_UNIX, 0), pair[0]);
+    other.assign(asio::generic::stream_protocol(AF_UNIX, 0), pair[1]);
+  }
+};
+
+}  // namespace
+
+TEST(Channel, TakesNoFrameAboveItsLimitUntilThatIsLifted) {
+  for (const bool lifted : {false, true}) {
+    Ends ends;
+    Channel channel(std::move(ends.one), Peer::client);
+    channel.limit_frames(4096);
+    if (lifted) channel.lift_frame_limit();
+    const std::string bytes = frame(chunk(5000));
+    asio::write(ends.other, asio::buffer(bytes));
+    tl::expected<void, ChannelError> got;
+    v1::Envelope message;
+    asio::co_spawn(
+        ends.loop, [&]() -> asio::awaitable<void> { got = co_await channel.read(message); },
+        asio::detached);
+    ends.loop.run();
+    EXPECT_EQ(got.has_value(), lifted);
+  }
+}
+
+TEST(Channel, APeerThatTakesNothingIsGivenUpAndOneThatTakesLittleIsNot) {
+  using namespace std::chrono_literals;
+  for (const bool reads : {false, true}) {
+    Ends ends;
+    Channel channel(std::move(ends.one), Peer::client);
+    channel.limit_stall(500ms);
+    tl::expected<void, ChannelError> sent;
+    const std::string frames(4 << 20, 'x');
+    asio::co_spawn(
+        ends.loop,
+        [&]() -> asio::awaitable<void> {
+          sent = co_await channel.write_frames(frames);
+          channel.close();
+        },
+        asio::detached);
+    // 300 pieces of 16 KiB, each well within the limit, all of them well beyond it.
+    asio::co_spawn(
+        ends.loop,
+        [&]() -> asio::awaitable<void> {
+          asio::steady_timer pause(ends.loop);
+          std::array<char, 16 << 10> piece;
+          while (reads) {
+            const auto [error, size] = co_await ends.other.async_read_some(
+                asio::buffer(piece), asio::as_tuple(asio::use_awaitable));
+            if (error) co_return;
+            pause.expires_after(4ms);
+            co_await pause.async_wait(asio::use_awaitable);
+          }
+        },
+        asio::detached);
+    ends.loop.run();
+    EXPECT_EQ(sent.has_value(), reads);
+    if (sent) continue;
+    EXPECT_EQ(sent.error().kind, ChannelError::Kind::stalled);
+  }
+}
+
+TEST(Channel, APeerThatNeverPausesLeavesOthersTheirTurns) {
+  Ends ends;
+  Channel channel(std::move(ends.one), Peer::client);
+  v1::Envelope ping;
+  ping.mutable_ping();
+  std::string bytes;
+  for (int i = 0; i < 100'000; ++i) bytes += frame(ping);
+  int read = 0, read_at_turn = -1;
+  asio::async_write(ends.other, asio::buffer(bytes),
+                    [&](boost::system::error_code, std::size_t) { ends.other.close(); });
+  asio::co_spawn(
+      ends.loop,
+      [&]() -> asio::awaitable<void> {
+        v1::Envelope message;
+        while (co_await channel.read(message)) {
+          if (++read == 1) asio::post(ends.loop, [&] { read_at_turn = read; });
+        }
+      },
+      asio::detached);
+  ends.loop.run();
+  EXPECT_EQ(read, 100'000);
+  EXPECT_GT(read_at_turn, 0);
+  EXPECT_LE(read_at_turn, (64 << 10) / 6);
+}
+
 }  // namespace metamer::wire

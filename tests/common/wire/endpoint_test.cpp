@@ -1,5 +1,6 @@
 #include "common/wire/endpoint.h"
 
+#include <grp.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -47,28 +48,63 @@ std::string error_of(const std::string& text) {
 }  // namespace
 
 TEST(Endpoint, IsReadAndWrittenAlike) {
-  for (const char* text : {"unix:/run/user/1000/metamerd.sock", "unix:socket", "127.0.0.1:7777",
-                           "localhost:1", "[::1]:65535"}) {
+  for (const char* text :
+       {"unix:/run/user/1000/metamerd.sock", "unix:socket", "127.0.0.1:7777", "localhost:1",
+        "[::1]:65535", "tls:render.example.org:7878", "tls:[::1]:1"}) {
     EXPECT_EQ(to_string(parse_endpoint(text).value()), text);
   }
   EXPECT_EQ(to_string(parse_endpoint("7777").value()), "127.0.0.1:7777");
+  EXPECT_EQ(to_string(parse_endpoint("tls:7777").value()), "tls:127.0.0.1:7777");
 }
 
 TEST(Endpoint, SaysWhatWasExpected) {
-  EXPECT_EQ(error_of(""), "\"\" is no endpoint: expected unix:PATH, HOST:PORT or PORT");
-  EXPECT_EQ(error_of("host"), "\"host\" is no endpoint: expected unix:PATH, HOST:PORT or PORT");
-  EXPECT_EQ(error_of(":80"), "\":80\" is no endpoint: expected unix:PATH, HOST:PORT or PORT");
-  EXPECT_EQ(error_of("host:"), "\"host:\" is no endpoint: expected unix:PATH, HOST:PORT or PORT");
+  EXPECT_EQ(error_of(""),
+            "\"\" is no endpoint: expected unix:PATH, HOST:PORT, PORT or tls:HOST:PORT");
+  EXPECT_EQ(error_of("host"),
+            "\"host\" is no endpoint: expected unix:PATH, HOST:PORT, PORT or tls:HOST:PORT");
+  EXPECT_EQ(error_of(":80"),
+            "\":80\" is no endpoint: expected unix:PATH, HOST:PORT, PORT or tls:HOST:PORT");
+  EXPECT_EQ(error_of("host:"),
+            "\"host:\" is no endpoint: expected unix:PATH, HOST:PORT, PORT or tls:HOST:PORT");
   EXPECT_EQ(error_of("host:-1"),
-            "\"host:-1\" is no endpoint: expected unix:PATH, HOST:PORT or PORT");
+            "\"host:-1\" is no endpoint: expected unix:PATH, HOST:PORT, PORT or tls:HOST:PORT");
   EXPECT_EQ(error_of("65536"), "\"65536\" is no endpoint: a port is at most 65535");
   EXPECT_EQ(error_of("::1:80"),
             "\"::1:80\" is no endpoint: an IPv6 address needs brackets, as in [::1]:7777");
+  EXPECT_EQ(error_of("tls:unix:x"),
+            "\"tls:unix:x\" is no endpoint: expected unix:PATH, HOST:PORT, PORT or tls:HOST:PORT");
   EXPECT_EQ(error_of("unix:"), "\"unix:\" is no endpoint: the path after unix: is empty");
   const std::string path(108, 'p');
   EXPECT_EQ(error_of("unix:" + path), "\"unix:" + path +
                                           "\" is no endpoint: the path has 108 bytes, a Unix "
                                           "socket's has at most 107");
+}
+
+TEST_F(EndpointFiles, ASocketsModeAndGroupAreThoseAskedFor) {
+  const gid_t group = ::getgid();
+  const struct group* known = ::getgrgid(group);
+  ASSERT_TRUE(known);
+  const auto acceptor = Acceptor::listen(executor(), endpoint(), {0660, known->gr_name}).value();
+  struct stat status {};
+  ASSERT_EQ(::stat(path().c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 07777u, 0660u);
+  EXPECT_EQ(status.st_gid, group);
+  EXPECT_TRUE(acceptor.is_local());
+}
+
+TEST_F(EndpointFiles, AGroupThatDoesNotExistIsSaid) {
+  EXPECT_EQ(Acceptor::listen(executor(), endpoint(), {0660, "no such"}).error().message,
+            "can't listen on " + to_string(endpoint()) + ": there is no group \"no such\"");
+}
+
+TEST_F(EndpointFiles, OnlyTheLoopbackIsLocal) {
+  const auto is_local = [&](const char* text) {
+    return Acceptor::listen(executor(), parse_endpoint(text).value()).value().is_local();
+  };
+  EXPECT_TRUE(is_local("0"));
+  EXPECT_TRUE(is_local("127.0.0.9:0"));
+  EXPECT_TRUE(is_local("localhost:0"));
+  EXPECT_FALSE(is_local("0.0.0.0:0"));
 }
 
 TEST_F(EndpointFiles, ASocketIsItsOwnersAloneAndGoesWithItsListener) {

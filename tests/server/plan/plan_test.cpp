@@ -27,6 +27,22 @@ TEST(Plan, GoesNoDeeperThanItsMirrors) {
   EXPECT_EQ(plan(scene("spectrum { standard: 'E' }", "mirror: 0.1", "depth: 9")).depth(), 9u);
 }
 
+TEST(Plan, BoundsTheWorkOfATile) {
+  for (const std::uint32_t spp : {1u, 4u, 16u, 17u, 100u, 1024u})
+    for (const std::uint32_t side : {8u, 16u, 64u, 256u}) {
+      const std::string wanted =
+          "spp: " + std::to_string(spp) + " tile_size: " + std::to_string(side);
+      const v1::Plan made = plan(scene("spectrum { standard: 'E' }", "", wanted));
+      const std::uint32_t tile = made.tile_size();
+      EXPECT_LE(tile, side);
+      EXPECT_EQ(tile % 8, 0u);
+      EXPECT_TRUE(tile == 8 || std::uint64_t{tile} * tile * spp <= max_tile_samples) << wanted;
+      const std::uint64_t next = tile + 8;
+      EXPECT_TRUE(tile == side || next * next * spp > max_tile_samples) << wanted;
+      EXPECT_EQ(made.notice_size(), tile == side ? 0 : 1) << wanted;
+    }
+}
+
 TEST(Plan, SaysWhatABackendLeavesOut) {
   const Features no_mirrors = Features::all().without({Feature::mirrors});
   const v1::Plan gl = plan(scene("spectrum { standard: 'E' }", "mirror: 0.1", ""), no_mirrors);

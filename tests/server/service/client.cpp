@@ -23,6 +23,7 @@ Client::Client(const std::string& path) : fd_(::socket(AF_UNIX, SOCK_STREAM | SO
   address.sun_family = AF_UNIX;
   std::strncpy(address.sun_path, path.c_str(), sizeof address.sun_path - 1);
   if (::connect(fd_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+    ::close(fd_);
     throw std::runtime_error("can't connect to " + path);
   }
 }
@@ -33,6 +34,7 @@ Client::Client(std::uint16_t port) : fd_(::socket(AF_INET, SOCK_STREAM | SOCK_CL
   address.sin_port = htons(port);
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   if (::connect(fd_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+    ::close(fd_);
     throw std::runtime_error("can't connect to port " + std::to_string(port));
   }
 }
@@ -110,11 +112,16 @@ bool Client::closed_by_server() {
 
 void Client::finish_sending() { ::shutdown(fd_, SHUT_WR); }
 
-v1::Welcome Client::hello() {
+v1::Envelope Client::log_in(const std::string& token) {
   v1::Envelope message;
   message.mutable_hello()->set_protocol_version(1);
   message.mutable_hello()->set_client("test");
-  const v1::Envelope answer = ask(message);
+  message.mutable_hello()->set_token(token);
+  return ask(message);
+}
+
+v1::Welcome Client::hello(const std::string& token) {
+  const v1::Envelope answer = log_in(token);
   EXPECT_TRUE(answer.has_welcome()) << answer.ShortDebugString();
   return answer.welcome();
 }
@@ -159,7 +166,8 @@ std::uint64_t Client::submit(const std::string& scene, bool check_only, bool kee
   return answer.submitted().job_id();
 }
 
-void Client::watch(std::uint64_t job, std::uint64_t from, bool tiles, bool previews, bool factors) {
+std::uint64_t Client::watch(std::uint64_t job, std::uint64_t from, bool tiles, bool previews,
+                            bool factors) {
   v1::Envelope message;
   message.set_request_id(++last_request_);
   message.mutable_watch()->set_job_id(job);
@@ -168,6 +176,7 @@ void Client::watch(std::uint64_t job, std::uint64_t from, bool tiles, bool previ
   message.mutable_watch()->set_previews(previews);
   message.mutable_watch()->set_factors(factors);
   send(message);
+  return last_request_;
 }
 
 v1::JobSummary Client::summary(std::uint64_t job) {

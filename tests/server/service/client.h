@@ -36,15 +36,18 @@ class Client {
   /// No more from this side; the other can still be read.
   void finish_sending();
 
-  v1::Welcome hello();
+  v1::Welcome hello(const std::string& token = {});
+  /// The answer to Hello, whatever it is.
+  v1::Envelope log_in(const std::string& token = {});
   v1::Info info();
   /// Sends what is missing of these, in small pieces; gives the digests, 32 bytes each.
   std::vector<std::string> upload(const std::vector<std::string>& assets);
   /// A job whose scene is this text.
   std::uint64_t submit(const std::string& scene, bool check_only = false,
                        bool keep_factors = false);
-  void watch(std::uint64_t job, std::uint64_t from = 0, bool tiles = true, bool previews = false,
-             bool factors = false);
+  /// Gives the request's number.
+  std::uint64_t watch(std::uint64_t job, std::uint64_t from = 0, bool tiles = true,
+                      bool previews = false, bool factors = false);
   v1::JobSummary summary(std::uint64_t job);
   void ping();
 

@@ -20,10 +20,16 @@ Daemon::Daemon(const std::function<void(ServiceOptions&)>& change)
   ServiceOptions options;
   options.listen = {wire::parse_endpoint("unix:" + socket()).value(),
                     wire::parse_endpoint("127.0.0.1:0").value()};
+  options.open = true;
   options.store = folder() / "store";
   options.first_job_id = 1;
   options.worker.command.program = METAMER_BIN "/metamer-fake-worker";
   if (change) change(options);
+  if (!options.state.empty()) {
+    // The worker looks for its gate beside the assets.
+    std::filesystem::remove(options.state / "gate");
+    std::filesystem::create_symlink(gate, options.state / "gate");
+  }
   service_ = std::make_unique<Service>(context_, options);
   if (auto started = service_->start(); !started) {
     throw std::runtime_error(started.error().message);

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "client.h"
-#include "server/service/folders.h"
+#include "server/service/ops/folders.h"
 #include "server/service/service.h"
 
 namespace metamer::service::test {

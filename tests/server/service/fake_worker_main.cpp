@@ -10,6 +10,8 @@
 //   stray              send a tile that is none of the job's
 //   early              say JobDone before the last tile
 //   shrink             truncate the shared memory before the first TileDone
+//   stages             say what is being prepared, and when it is there
+//   prepared N         after N tiles say that all is prepared;   preparing N: that more is
 //   fail               answer Failed BAD_INPUT
 //   broken             say that the promise is broken and that `exact` is better, which is the
 //   plan's
@@ -82,8 +84,9 @@ Script parse(const std::string& text) {
   for (std::string word; words >> word;) {
     if (word == "picture") {
       words >> script.width >> script.height >> script.tile;
-    } else if (word == "gate" || word == "crash" || word == "exit" || word == "hang" ||
-               word == "stall" || word == "garbage" || word == "factors") {
+    } else if (word == "gate" || word == "prepared" || word == "preparing" || word == "crash" ||
+               word == "exit" || word == "hang" || word == "stall" || word == "garbage" ||
+               word == "factors") {
       words >> script.at[word];
     } else {
       script.at[word] = 0;
@@ -140,13 +143,20 @@ class Job {
       *plan.mutable_method() = chosen_;
       if (script_.has("verify")) plan.set_verify_cost(2);
     }
+    if (script_.has("stages")) say_preparing(v1::Preparing::READING);
+    if (script_.has("stages")) say_preparing(v1::Preparing::PLANNING);
     send(message);
+    if (request.prepare()) say_prepared();
   }
 
   void render(const v1::RenderTiles& request) {
     const std::size_t bytes = std::size_t{script_.width} * script_.height * 12;
     void* memory = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, film, 0);
     if (memory == MAP_FAILED) std::abort();
+    if (script_.has("stages") && done_ == 0) {
+      say_preparing(v1::Preparing::HIERARCHY);
+      say_prepared();
+    }
     for (const v1::TileRect& tile : request.tile()) {
       trouble();
       stopped_ = stopped_ || stop_waits();
@@ -176,6 +186,24 @@ class Job {
   }
 
  private:
+  void say_preparing(v1::Preparing::Stage stage) const {
+    v1::WorkerEnvelope message;
+    message.set_job_id(id_);
+    message.mutable_preparing()->set_stage(stage);
+    send(message);
+  }
+  void say_prepared() const {
+    v1::WorkerEnvelope message;
+    message.set_job_id(id_);
+    v1::Timing& timing = *message.mutable_prepared()->mutable_timing();
+    timing.set_compile(0.25);
+    timing.set_acceleration(0.5);
+    timing.set_pilot(1);
+    timing.set_prepare(2);
+    timing.add_pass()->set_name("none of the daemon's business");
+    send(message);
+  }
+
   bool due(const std::string& word) const {
     if (script_.has("once") && !first_attempt_) return false;
     const auto found = script_.at.find(word);
@@ -184,6 +212,8 @@ class Job {
 
   void trouble() {
     if (due("gate")) wait_for_gate();
+    if (due("prepared")) say_prepared();
+    if (due("preparing")) say_preparing(v1::Preparing::TABLES);
     if (due("crash")) std::abort();
     if (due("exit")) _exit(3);
     if (due("hang")) {

@@ -10,6 +10,12 @@ class FakeProbe : public Probe {
                      std::atomic<std::uint64_t>&) const override {
     return {};
   }
+  /// The first object, at the right half of the picture.
+  std::optional<SeenPoint> look(const v1::Plan& plan, std::uint32_t x,
+                                std::uint32_t) const override {
+    if (x < plan.width() / 2) return std::nullopt;
+    return SeenPoint{.object = 0, .place = {}, .normal = {0, 0, 1}, .eye = Gather(1), .light = {1}};
+  }
   double picture_seconds(const v1::Plan&, const Method&, double, const std::atomic<bool>&,
                          std::atomic<std::uint64_t>&) override {
     return 1;

@@ -2,6 +2,7 @@
 
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <thread>
 
 #include "tests/server/worker/worker_fixture.h"
@@ -67,6 +68,60 @@ TEST_F(WorkerJob, SendsItsPlanThenEachTileInTheOrderAskedForThenDone) {
   const float* xyz = static_cast<const float*>(memory);
   EXPECT_EQ(xyz[(3 * 32 + 20) * 3], 20);
   EXPECT_EQ(xyz[(3 * 32 + 20) * 3 + 1], 3);
+}
+
+TEST_F(WorkerJob, SaysEachStageAsItBeginsAndOnceWhatTheyTook) {
+  const auto names = [&] {
+    sent();
+    Names told;
+    for (const v1::WorkerEnvelope& stage : stages_)
+      told.push_back(stage.has_prepared() ? std::string("prepared")
+                                          : v1::Preparing::Stage_Name(stage.preparing().stage()));
+    return told;
+  };
+  job_.compile(compile_message(ball_scene(settings)));
+  EXPECT_EQ(names(), (Names{"READING", "PLANNING", "TABLES"}));
+  job_.render(both_tiles());
+  job_.render(both_tiles());
+  EXPECT_EQ(names(), (Names{"READING", "PLANNING", "TABLES", "HIERARCHY", "prepared"}));
+  const v1::Timing timing = stages_.back().prepared().timing();
+  EXPECT_GT(timing.compile(), 0);
+  EXPECT_EQ(timing.models(), 0) << "nothing is drawn yet";
+
+  // A choice traces pixels, and so has the hierarchy first.
+  stages_.clear();
+  Job chosen(6, options_, link_, work_, turns_);
+  chosen.compile(
+      compile_message(ball_scene(std::string(settings) + " verify: true goal { tolerance: 0.5 }")));
+  v1::RenderTiles message = both_tiles();
+  message.set_last(true);
+  chosen.render(message);
+  chosen.render(message);
+  const Names told = names();
+  ASSERT_GE(told.size(), 4u);
+  EXPECT_EQ(Names(told.begin(), told.begin() + 3), (Names{"READING", "HIERARCHY", "PLANNING"}));
+  EXPECT_EQ(told.back(), "prepared");
+  EXPECT_EQ(std::count(told.begin(), told.end(), "prepared"), 1);
+  EXPECT_EQ(std::count(told.begin(), told.end(), "HIERARCHY"), 1);
+}
+
+TEST_F(WorkerJob, PreparesWithoutDrawingWhereThatIsAskedFor) {
+  v1::CompileJob message = compile_message(ball_scene(settings));
+  message.set_prepare(true);
+  job_.compile(message);
+  EXPECT_EQ(sent_names(), (Names{"planned"}));
+  ASSERT_FALSE(stages_.empty());
+  EXPECT_TRUE(stages_.back().has_prepared());
+  EXPECT_EQ(backend_.seen.changes, 1);
+  EXPECT_EQ(backend_.seen.pictures, 0);
+  EXPECT_FALSE(job_.ended());
+
+  backend_.change_problem = "no memory";
+  Job failing(6, options_, link_, work_, turns_);
+  failing.compile(message);
+  const auto messages = sent();
+  EXPECT_EQ(messages.back().failed().reason(), "no memory");
+  EXPECT_TRUE(failing.ended());
 }
 
 TEST_F(WorkerJob, PreparesOnceHoweverOftenItIsAskedForTiles) {

@@ -1,7 +1,9 @@
 #include "server/worker/view_scene.h"
 
+#include <filesystem>
 #include <future>
 
+#include "common/digest.h"
 #include "tests/server/test_scene.h"
 #include "tests/server/worker/worker_fixture.h"
 
@@ -33,6 +35,14 @@ class WorkerViewScene : public WorkerTest {
     *update.mutable_light() = scene.light();
     *update.mutable_material() = scene.material();
     return update;
+  }
+  v1::UpdateView replacement(const v1::Scene& scene) const {
+    v1::UpdateView update;
+    update.set_scene_sha256(store(scene.SerializeAsString()));
+    return update;
+  }
+  v1::UpdateView replacement(const std::string& scene_text) const {
+    return replacement(test::parse_scene(scene_text));
   }
   std::string problem_of(const std::string& change) {
     const auto changed = scene_.change(update(change));
@@ -119,6 +129,98 @@ TEST_F(WorkerViewScene, WhatIsRefusedChangesNothing) {
   EXPECT_EQ(scene_.settings().width(), 8u);
   EXPECT_EQ(scene_.scene().lights[0].name, before);
   EXPECT_FALSE(scene_.is_importing());
+}
+
+TEST_F(WorkerViewScene, AnotherSceneWithTheSameObjectsLeavesThese) {
+  open(ball_scene("width: 8 height: 8"));
+  // Another list of lights and of materials; what comes with it is applied to the new scene.
+  v1::UpdateView change = replacement(
+      ball_scene("width: 4 height: 2",
+                 "light { name: 'sun' direction { y: -1 } spectrum { standard: 'A' } } material { "
+                 "name: 'more' lambert {} }"));
+  *change.add_light() = test::parse_scene(ball_scene("")).light(0);
+  change.mutable_light(0)->set_luminance(3);
+  EXPECT_EQ(*scene_.change(change), Change::appearance);
+  EXPECT_EQ(scene_.scene().lights.size(), 2u);
+  EXPECT_EQ(scene_.scene().lights[0].luminance, 3);
+  EXPECT_EQ(scene_.scene().materials.size(), 2u);
+  EXPECT_EQ(scene_.scene().objects.size(), 1u);
+  EXPECT_EQ(scene_.settings().width(), 4u);
+  EXPECT_EQ(scene_.settings().spp(), 16u);  // a default, not what was before
+  EXPECT_EQ(backend_.seen.renderers, 1);
+}
+
+TEST_F(WorkerViewScene, AnotherMaterialBeforeThatOfAnObjectIsAnotherPlaceOfIt) {
+  open(ball_scene("width: 8 height: 8"));
+  v1::Scene scene =
+      test::parse_scene(ball_scene("width: 8 height: 8", "material { name: 'more' }"));
+  scene.mutable_material()->SwapElements(0, 1);
+  EXPECT_EQ(*scene_.change(replacement(scene)), Change::objects);
+  adopt();
+  EXPECT_EQ(scene_.scene().materials[scene_.scene().objects[0].material].name, "paint");
+}
+
+const char* const triangle =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+    "z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 "
+    "0 "
+    "1 2\n";
+
+TEST_F(WorkerViewScene, MeshesOfAnotherSceneAreReadOnlyWhereTheyAreOthers) {
+  const auto names = [](const std::string& digest) {
+    AssetNames list;
+    list.Add()->set_name("a.ply");
+    list[0].set_sha256(digest);
+    return list;
+  };
+  const std::string digest = store(triangle);
+  const std::string with_mesh =
+      ball_scene("width: 8 height: 8", "object { material: 'paint' mesh { file: 'a.ply' } }");
+  ASSERT_TRUE(scene_.open(test::parse_scene(with_mesh), names(digest)).empty());
+  adopt();
+  const Triangle* const before = scene_.scene().meshes[0].triangles.data();
+
+  // The file is gone: whoever reads it again has a problem.
+  std::filesystem::remove(options_.store / to_hex(*digest_from_bytes(digest)));
+  v1::Scene moved = test::parse_scene(with_mesh);
+  moved.mutable_object(1)->add_transform()->mutable_translate()->set_x(1);
+  v1::UpdateView change = replacement(moved);
+  *change.mutable_asset() = names(digest);
+  ASSERT_EQ(*scene_.change(change), Change::objects);
+  adopt();
+  EXPECT_EQ(scene_.scene().meshes[0].triangles.data(), before);
+  EXPECT_EQ(backend_.seen.renderers, 2);
+
+  // Under the same name another one.
+  *change.mutable_asset() = names(store(std::string(triangle) + "\n"));
+  ASSERT_EQ(*scene_.change(change), Change::objects);
+  adopt();
+  EXPECT_NE(scene_.scene().meshes[0].triangles.data(), before);
+}
+
+TEST_F(WorkerViewScene, AnotherSceneThatIsBadChangesNothing) {
+  open(ball_scene("width: 8 height: 8"));
+  const auto refused = [&](const v1::UpdateView& change) {
+    const auto changed = scene_.change(change);
+    return changed ? "none"
+                   : changed.error().front().field + ": " + changed.error().front().message;
+  };
+  v1::UpdateView change;
+  change.set_scene_sha256(store("no scene"));
+  EXPECT_EQ(refused(change), ": the scene's bytes are no scene");
+  change.set_scene_sha256(std::string(32, 'x'));
+  EXPECT_EQ(refused(change), ": the scene's bytes are no scene");
+  EXPECT_EQ(refused(replacement(ball_scene("width: 100000 height: 100000"))).rfind("settings.", 0),
+            0u);
+  EXPECT_NE(refused(replacement(ball_scene("", "object { name: 'ball' }"))), "none");
+  // What is found out as late as in the import.
+  const std::string no_mesh = "object { material: 'paint' mesh { file: 'none.ply' } }";
+  ASSERT_EQ(*scene_.change(replacement(ball_scene("", no_mesh))), Change::objects);
+  imported_.get_future().wait();
+  imported_ = {};
+  EXPECT_FALSE(scene_.end_import());
+  EXPECT_EQ(scene_.scene().objects.size(), 1u);
+  EXPECT_EQ(scene_.settings().width(), 8u);
 }
 
 TEST_F(WorkerViewScene, IsRefusedAtOnceWhereItIsTooLarge) {

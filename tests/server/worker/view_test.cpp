@@ -72,6 +72,23 @@ TEST_F(WorkerView, ACameraBeginsAnewAndPreparesNothing) {
   EXPECT_EQ(backend_.seen.changes, changes);
 }
 
+TEST_F(WorkerView, SaysWhatAChangeTook) {
+  ASSERT_TRUE(open(ball_scene(small)));
+  view_.update(look_from(1, 2));
+  ASSERT_TRUE(view_.turn());
+  const auto messages = sent();
+  ASSERT_EQ(messages.size(), 2u);
+  for (const v1::WorkerEnvelope& message : messages) {
+    const v1::ViewUpdated& updated = message.view_event().updated();
+    ASSERT_TRUE(updated.has_timing());
+    const v1::Timing& timing = updated.timing();
+    EXPECT_GT(timing.compile(), 0);
+    EXPECT_LE(timing.compile() + timing.acceleration() + timing.prepare(), updated.seconds());
+  }
+  EXPECT_GT(messages[0].view_event().updated().timing().prepare(), 0);
+  EXPECT_EQ(messages[1].view_event().updated().timing().prepare(), 0) << "a camera alone";
+}
+
 TEST_F(WorkerView, AFrameThatTakesLongIsDrawnInTurns) {
   ASSERT_TRUE(open(ball_scene(small)));
   view_.add_credit();

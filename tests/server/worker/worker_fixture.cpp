@@ -62,8 +62,10 @@ std::string WorkerTest::store_scene(const std::string& text) const {
 std::vector<v1::WorkerEnvelope> WorkerTest::sent() {
   Link daemon(ends_[1]);
   std::vector<v1::WorkerEnvelope> all;
-  for (pollfd waiting{ends_[1], POLLIN, 0}; poll(&waiting, 1, 0) > 0;)
-    all.push_back(*daemon.receive());
+  for (pollfd waiting{ends_[1], POLLIN, 0}; poll(&waiting, 1, 0) > 0;) {
+    v1::WorkerEnvelope message = *daemon.receive();
+    (message.has_preparing() || message.has_prepared() ? stages_ : all).push_back(message);
+  }
   return all;
 }
 

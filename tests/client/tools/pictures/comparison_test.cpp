@@ -30,6 +30,14 @@ Xyz xyz_of(const Lab& lab, const Xyz& white) {
           white[2] * inverse(f - lab.b / 200)};
 }
 
+TEST(Comparison, WhatIsNotSeenIsNoWhite) {
+  const Observer two = cie::observer_1931();
+  EXPECT_FALSE(white_under("uv", {{200, 350}, {1, 1}}, two));
+  EXPECT_FALSE(white_under("dark", {{400, 700}, {0, 0}}, two));
+  EXPECT_NEAR(white_under("D65", *cie::illuminant("D65"), two)->xyz[2], 1.08883, 5e-5)
+      << "ASTM E308-01, table 5";
+}
+
 TEST(Comparison, WhitesAreThePublishedOnes) {
   // ASTM E308-01, table 5. D50's table has three digits, from 380 to 780 nm.
   struct Published {

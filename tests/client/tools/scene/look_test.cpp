@@ -65,6 +65,18 @@ TEST(Look, AMessageIsMergedAndAListReplaced) {
   EXPECT_EQ(scene.settings().method().point().wavelengths(0), 600);
 }
 
+TEST(Look, AListInAMessageThatIsMergedIsReplacedToo) {
+  v1::Scene scene = scene_from("settings { method { point { step: 2 wavelengths: [400, 500] } } }");
+  Look look;
+  look.settings.mutable_method()->mutable_point()->add_wavelengths(555);
+  look.set("method", "by hand");
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_TRUE(apply(look, scene));
+    EXPECT_EQ(scene.settings().method().point().wavelengths_size(), 1);
+    EXPECT_EQ(scene.settings().method().point().step(), 2);
+  }
+}
+
 TEST(Look, AMethodTakesThePlaceOfAGoalAndAGoalThatOfAMethod) {
   Look method, bases, goal;
   method.settings.mutable_method()->mutable_exact();
@@ -99,10 +111,12 @@ TEST(Look, GivesLightsOtherSpectra) {
   v1::Scene scene =
       scene_from("light { name: 'lamp' spectrum { file: 'x' entry: 'y' } } light { name: 'sun' }");
   Look look;
-  look.lights.push_back({.light = "*", .spectrum = {}, .by = "all"});
-  look.lights.back().spectrum.set_standard("A");
-  look.lights.push_back({.light = "sun", .spectrum = {}, .by = "one"});
-  look.lights.back().spectrum.set_standard("D65");
+  look.lights.push_back({.light = {}, .by = "all"});
+  look.lights.back().light.set_name("*");
+  look.lights.back().light.mutable_spectrum()->set_standard("A");
+  look.lights.push_back({.light = {}, .by = "one"});
+  look.lights.back().light.set_name("sun");
+  look.lights.back().light.mutable_spectrum()->set_standard("D65");
   const auto replaced = apply(look, scene);
   ASSERT_TRUE(replaced);
   EXPECT_EQ(scene.light(0).spectrum().ShortDebugString(), "standard: \"A\"");
@@ -111,7 +125,7 @@ TEST(Look, GivesLightsOtherSpectra) {
   EXPECT_EQ(replaced_by(*replaced, "light[0].spectrum.standard"), "all");
   EXPECT_EQ(replaced_by(*replaced, "light[10].spectrum"), "");
 
-  look.lights.back().light = "sin";
+  look.lights.back().light.set_name("sin");
   const auto unknown = apply(look, scene);
   ASSERT_FALSE(unknown);
   EXPECT_EQ(unknown.error().message, "no light named \"sin\"; did you mean \"sun\"?");

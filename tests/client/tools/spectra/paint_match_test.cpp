@@ -37,6 +37,25 @@ TEST(PaintMatch, TellsALightThatNobodySees) {
   EXPECT_FALSE(matches);
 }
 
+TEST(PaintMatch, FindsAMetamericPairAmongPaints) {
+  const auto lights = lights_of_day_and_shop();
+  const Spectrum& paint = *cie::test_color("TCS02");
+  const auto metamer =
+      make_metamer(paint, lights[0].spectrum, lights[1].spectrum, cie::observer_1931());
+  ASSERT_TRUE(metamer);
+  std::vector<NamedSpectrum> paints = {{"red", *cie::test_color("TCS09")},
+                                       {"paint", paint},
+                                       {"the same", paint},
+                                       {"green", *cie::test_color("TCS11")}};
+  EXPECT_FALSE(metameric_pair(paints, lights, cie::observer_1931()));
+  paints.push_back({"metamer", metamer->reflectance});
+  const auto pair = metameric_pair(paints, lights, cie::observer_1931());
+  ASSERT_TRUE(pair);
+  EXPECT_EQ(pair->first, 1u);
+  EXPECT_EQ(pair->second, 4u);
+  EXPECT_FALSE(metameric_pair({}, lights, cie::observer_1931()));
+}
+
 TEST(Swatches, HaveTheReferenceAtTheLeft) {
   const Spectrum grey = {{500}, {0.5}}, black = {{500}, {0}};
   const auto matches = match_paints(grey, {{"black", black}, {"grey", grey}},

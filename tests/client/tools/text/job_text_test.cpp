@@ -56,7 +56,28 @@ TEST(JobLine, HoldsWhatAListNeeds) {
   job.set_reason("the worker was lost");
   EXPECT_EQ(
       describe(job),
-      "               7  failed         120/300      0:42  booth.txtpb  (the worker was lost)");
+      "               7  failed         120/300      0:42  cpu  -  booth.txtpb  (the worker was "
+      "lost)");
+  job.set_user("alice");
+  job.set_backend(v1::GL);
+  job.set_state(v1::QUEUED);
+  EXPECT_EQ(describe(job),
+            "               7  queued         120/300      0:42  gl   alice  booth.txtpb");
+}
+
+TEST(JobLine, SaysWhatAJobWaitsFor) {
+  v1::JobSummary job;
+  job.set_state(v1::QUEUED);
+  EXPECT_EQ(waiting_text(job), "waits: its turn is next");
+  job.set_reason("no worker starts: exited with code 3\x1b");
+  job.set_priority(-5);
+  EXPECT_EQ(waiting_text(job), "waits: no worker starts: exited with code 3?; its priority is -5");
+  job.set_state(v1::PAUSED);
+  EXPECT_EQ(waiting_text(job), "waits: it is paused, until it is resumed");
+  for (const v1::JobState state : {v1::RUNNING, v1::FINISHED, v1::FAILED, v1::CANCELLED}) {
+    job.set_state(state);
+    EXPECT_EQ(waiting_text(job), "");
+  }
 }
 
 }  // namespace

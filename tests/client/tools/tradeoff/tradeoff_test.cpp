@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "client/tools/tradeoff/tradeoff_run.h"
+#include "client/tools/tradeoff/tradeoff_steps.h"
 #include "tests/client/tools/tradeoff/tradeoff_row.h"
 
 namespace metamer::client {

@@ -321,6 +321,50 @@ TEST(GltfMesh, ANodeFarOutKeepsItsFinePlaces) {
   EXPECT_NEAR(file->positions_f64[1][0] - 5.4e6, 0.001, 1e-9);
 }
 
+TEST(GltfMesh, AFileOfAnotherVersionOrThatNeedsOneIsRefusedByItsName) {
+  // glTF 2.0, 3.2: minVersion says what is needed to load the file, else version does.
+  const auto said = [](const nlohmann::json& asset) {
+    GltfText text = triangle();
+    text.json["asset"] = asset;
+    return problem_of(gltf_of(text));
+  };
+  for (const char* version : {"2.0", "2.1", "2.17"})
+    EXPECT_TRUE(gltf_of([&] {
+      GltfText text = triangle();
+      text.json["asset"] = {{"version", version}, {"minVersion", "2.0"}};
+      return text;
+    }()))
+        << version;
+  for (const char* version : {"1.0", "3.0", "20.0", "2x", "2.", "two", ""})
+    EXPECT_NE(said({{"version", version}}).find("is glTF \"" + std::string(version) + "\""),
+              std::string::npos)
+        << version;
+  for (const char* version : {"2.1", "2.10", "3.0", "20.0", "2", "two"})
+    EXPECT_NE(said({{"version", "2.1"}, {"minVersion", version}})
+                  .find("needs glTF \"" + std::string(version) + "\" (asset.minVersion)"),
+              std::string::npos)
+        << version;
+}
+
+TEST(GltfMesh, VertexColoursAreLeftOutWithANoteThatNamesTheirObjects) {
+  GltfText text;
+  const int positions = text.vec3(corners);
+  const nlohmann::json plain = {{"attributes", {{"POSITION", positions}}}};
+  const nlohmann::json colored = {
+      {"attributes", {{"POSITION", positions}, {"COLOR_0", positions}}}};
+  nlohmann::json nodes = nlohmann::json::array();
+  for (const auto& [name, primitive] :
+       {std::pair{"plain", plain}, std::pair{"cap", colored}, std::pair{"stem", colored}}) {
+    text.node_of(primitive)["name"] = name;
+    nodes.push_back(nodes.size());
+  }
+  text.json["scenes"][0]["nodes"] = nodes;
+  const auto file = gltf_of(text);
+  ASSERT_TRUE(file) << problem_of(file);
+  EXPECT_EQ(file->notes, std::vector<std::string>{
+                             "vertex colours (COLOR_0) of \"cap\", \"stem\" were left out"});
+}
+
 TEST(GltfMesh, PointsAndLinesAreSkippedAndCounted) {
   GltfText text = triangle();
   text.json["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}, {"mode", 0}});

@@ -128,6 +128,20 @@ TEST(Obj, CurvedSurfacesAreLeftOutWithANote) {
             std::vector<std::string>{"curves and surfaces (curv, surf) were left out"});
 }
 
+TEST(Obj, VertexColoursPointsAndLinesAreLeftOutWithANote) {
+  const auto notes = [](const std::string& end_of_v, const std::string& last) {
+    const auto file = obj_of("v 0 0 0\nv 1 0 0\nv 0 1 0" + end_of_v + "\nf 1 2 3\n" + last);
+    EXPECT_TRUE(file) << problem_of(file);
+    return file ? file->notes : std::vector<std::string>();
+  };
+  using Notes = std::vector<std::string>;
+  for (const char* none : {"", " ", " 1", " # 1 0 0", " 1 0"}) EXPECT_EQ(notes(none, ""), Notes());
+  for (const char* color : {" 1 0 0", " 0.5 .25 1e-1", "\t1 0 0 1", " 1 0 0 # red"})
+    EXPECT_EQ(notes(color, ""), Notes{"vertex colours (v x y z r g b) were left out"}) << color;
+  for (const char* line : {"l 1 2\n", "p 1\n"})
+    EXPECT_EQ(notes("", line), Notes{"points and lines (p, l) were left out"}) << line;
+}
+
 TEST(Obj, NoByteBreaksTheReader) {
   expect_no_byte_breaks(
       square +

@@ -52,6 +52,39 @@ TEST(Ply, PropertiesStandInAnyOrderAndOthersArePassedOver) {
             std::vector<std::string>{"texture coordinates of faces (texcoord) were left out"});
 }
 
+TEST(Ply, ColoursAndEdgesAreLeftOutWithANote) {
+  const auto notes = [](const std::string& of_vertex, const std::string& of_face,
+                        const std::string& last) {
+    const auto colors = [](const std::string& prefix) {
+      std::string text;
+      for (const char* one : {"red", "green", "blue"})
+        text += "property uchar " + prefix + one + "\n";
+      return text;
+    };
+    const bool vertex = of_vertex != "none", face = of_face != "none";
+    std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\n" +
+        (vertex ? colors(of_vertex) : "") +
+        "element face 1\nproperty list uchar int vertex_index\n" + (face ? colors(of_face) : "") +
+        last + "end_header\n";
+    for (const char* position : {"0 0 0", "1 0 0", "0 1 0"})
+      text += position + std::string(vertex ? " 255 0 0\n" : "\n");
+    text += "3 0 1 2" + std::string(face ? " 0 0 255\n" : "\n");
+    const auto file = ply_of(text);
+    EXPECT_TRUE(file) << problem_of(file);
+    return file ? file->notes : std::vector<std::string>();
+  };
+  using Notes = std::vector<std::string>;
+  EXPECT_EQ(notes("none", "none", ""), Notes());
+  const std::string of_vertices = "vertex colours (red, green, blue) were left out";
+  EXPECT_EQ(notes("", "none", ""), Notes{of_vertices});
+  EXPECT_EQ(notes("diffuse_", "none", ""), Notes{of_vertices});
+  EXPECT_EQ(notes("none", "", ""), Notes{"colours of faces (red, green, blue) were left out"});
+  EXPECT_EQ(notes("none", "none", "element edge 0\nproperty int vertex1\n"), Notes());
+  EXPECT_EQ(notes("", "", "").size(), 2u);
+}
+
 TEST(Ply, LinesEndInAnyWayAndValuesStandOnAnyLine) {
   const std::string text = ascii(4, 2, square_vertices + "3 0 1 2\n3 0 2 3");
   for (const std::string end : {"\n", "\r\n", "\r"}) {

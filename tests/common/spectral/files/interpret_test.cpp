@@ -100,11 +100,42 @@ TEST(Interpret, ClampsOnRequestAndCounts) {
   EXPECT_EQ(taken(silent, {0.5, 1}, {.clamp = true}, Use::property).notes, Notes{});
 }
 
-TEST(Interpret, NotesWhatNoEyeSees) {
+TEST(Interpret, WhatNoEyeSeesIsOfNoUse) {
   const SpectrumFile silent{.format = "pairs"};
-  const auto far = interpret(silent, Spectrum{{900, 2500}, {0.1, 0.2}}, {}, Use::property);
+  const std::string why = "its wavelengths, 900 to 2500 nm, are none that an eye sees";
+  const Spectrum infrared{{900, 2500}, {0.1, 0.2}};
+  const auto far = interpret(silent, infrared, {}, Use::any);
   ASSERT_TRUE(far);
-  EXPECT_EQ(far->notes, Notes{"its wavelengths, 900 to 2500 nm, are none that an eye sees"});
+  EXPECT_EQ(far->notes.back(), why);
+  for (const Use use : {Use::emission, Use::property}) {
+    const auto used = interpret(silent, infrared, {}, use);
+    ASSERT_FALSE(used);
+    EXPECT_EQ(used.error().message, why + "; are they in another unit?");
+  }
+}
+
+TEST(Interpret, ALampThatLooksLikeAReflectanceIsNoted) {
+  const SpectrumFile silent{.format = "pairs"};
+  const auto notes = [&](std::vector<double> nm, std::vector<double> values) {
+    const auto lamp = interpret(silent, Spectrum{nm, values}, {}, Use::emission);
+    return lamp ? lamp->notes : Notes{lamp.error().message};
+  };
+  EXPECT_EQ(notes({400, 700}, {0.2, 0.9}),
+            Notes{"taken for an emission, though its values lie in 0..1, as a reflectance's"});
+  EXPECT_EQ(notes({400, 700}, {0.2, 1}), Notes{}) << "normalised";
+  EXPECT_EQ(notes({400, 700}, {0, 0.9}), Notes{}) << "no paint is black all over";
+  EXPECT_EQ(notes({400, 700}, {0.2, 9}), Notes{});
+  EXPECT_EQ(notes({546}, {0.2}), Notes{}) << "a line";
+  const auto said = interpret(silent, Spectrum{{400, 700}, {0.2, 0.9}}, {.as = Quantity::emission},
+                              Use::emission);
+  EXPECT_EQ(said->notes, Notes{});
+}
+
+TEST(Interpret, ALampInPercentsIsNoted) {
+  const SpectrumFile percents{.format = "table", .scale = Scale::percent, .largest = 90};
+  const auto lamp = interpret(percents, Spectrum{{400, 700}, {90, 10}}, {}, Use::emission);
+  ASSERT_TRUE(lamp);
+  EXPECT_EQ(lamp->notes, Notes{"taken for an emission, though the file is in percents"});
 }
 
 }  // namespace

@@ -81,6 +81,25 @@ TEST(Labels, TellWhatIsMeasuredWhereWordsAgree) {
   EXPECT_EQ(quantity_in("paint"), std::nullopt);
 }
 
+TEST(Labels, TellLampsByTheirUnitsAndWords) {
+  for (const char* heading : {"µW/cm²/nm", "uW/cm2/nm", "mW/m²/nm", "W/nm", "W m-2 nm-1",
+                              "W·m⁻²·nm⁻¹", "Power (a.u.)", "Intensity (counts)", "Counts",
+                              "Bestrahlungsstärke", "Strahldichte [W/(m² sr nm)]", "Intensität"})
+    EXPECT_EQ(quantity_of_heading(heading), Quantity::emission) << heading;
+  EXPECT_EQ(quantity_of_heading("%T"), Quantity::transmittance);
+  EXPECT_EQ(quantity_of_heading("T [%]"), Quantity::transmittance);
+  EXPECT_EQ(quantity_of_heading("% R"), Quantity::reflectance);
+  for (const char* heading : {"T", "R", "red", "wool", "A [%]", "Tor %"})
+    EXPECT_EQ(quantity_of_heading(heading), std::nullopt) << heading;
+}
+
+TEST(Labels, OfValuesMayNameTheWavelengthThatTheyAreAt) {
+  for (const char* heading : {"Wavelength", "λ", "λ [nm]", "lambda/nm", "wl", "nm", "Wellenlänge"})
+    EXPECT_TRUE(says_wavelength(heading)) << heading;
+  for (const char* heading : {"R(λ)", "S(λ)", "E(lambda)", "X(lambda)", "ρ(λ) [%]", "R_lambda"})
+    EXPECT_FALSE(says_wavelength(heading)) << heading;
+}
+
 TEST(Labels, TellWhatIsNoSpectrumByWavelength) {
   EXPECT_EQ(unusable_axis("Frequency (THz)"), "frequencies");
   for (const char* heading : {"cm-1", "Wavenumber (cm^-1)", "Raman shift"})
@@ -89,12 +108,15 @@ TEST(Labels, TellWhatIsNoSpectrumByWavelength) {
   EXPECT_EQ(unusable_axis("Wavelength (Å)"), "ångströms");
   EXPECT_EQ(unusable_axis("lambda (m)"), "metres");
   for (const char* heading : {"Wavelength (nm)", "µm", ""}) EXPECT_EQ(unusable_axis(heading), "");
-  EXPECT_EQ(unusable_quantity("Absorbance"), "absorbance");
+  for (const char* heading :
+       {"Absorbance", "Abs", "abs.", "Abs (a.u.)", "Extinktion", "Extinction (OD)"})
+    EXPECT_EQ(unusable_quantity(heading), "absorbance") << heading;
   EXPECT_EQ(unusable_quantity("OD"), "density");
   EXPECT_EQ(unusable_quantity("K/S"), "K/S");
   EXPECT_EQ(unusable_quantity("log10 R"), "a logarithm");
   EXPECT_EQ(unusable_quantity("Photon flux (µmol/m²/s/nm)"), "a number of photons");
-  for (const char* heading : {"Reflectance", "red", "irradiance W/m2", "code"})
+  for (const char* heading :
+       {"Reflectance", "red", "irradiance W/m2", "code", "extinction coefficient", "abstract"})
     EXPECT_EQ(unusable_quantity(heading), "") << heading;
 }
 

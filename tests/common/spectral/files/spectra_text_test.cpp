@@ -26,7 +26,7 @@ void expect_same_when_read(const std::vector<NamedSpectrum>& spectra, SpectrumFo
 }
 
 TEST(SpectraText, ReadsBackAsTheSameDoubles) {
-  const auto uneven = named("a b", {1.5, 380.0625, 400, 10000}, {0.1 + 0.2, 1e-300, -1e300, 5});
+  const auto uneven = named("a b", {1.5, 380.0625, 400, 10000}, {0.1 + 0.2, 1e-300, -1e100, 5});
   const auto tenths =
       named("t", Wavelengths::uniform(400, 410, 0.1)->nm(), std::vector<double>(101, 1 / 3.0));
   const auto single = named("s", {555}, {0.25});
@@ -118,6 +118,20 @@ TEST(CheckEnergy, CountsWhatLiesOutside) {
   EXPECT_DOUBLE_EQ(energy(flat, {400, 700, 800}).after, 700);
   EXPECT_DOUBLE_EQ(energy(flat, {400, 700, 800}).before, 600);
   EXPECT_DOUBLE_EQ(energy(flat, {400, 700, 800}, Outside::hold).before, 800);
+}
+
+TEST(SpectraText, OfCgatsSaysWhatTheSpectraAre) {
+  for (const Quantity quantity :
+       {Quantity::reflectance, Quantity::transmittance, Quantity::emission}) {
+    const auto text =
+        spectra_text({named("a", {400, 500}, {0.1, 0.2})}, SpectrumFormat::cgats, quantity);
+    ASSERT_TRUE(text);
+    const auto read = read_spectrum_file(*text, "a.sp");
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->quantity, quantity);
+  }
+  const auto silent = spectra_text({named("a", {400, 500}, {0.1, 0.2})}, SpectrumFormat::cgats);
+  EXPECT_EQ(silent->find("MEAS_TYPE"), silent->npos);
 }
 
 }  // namespace

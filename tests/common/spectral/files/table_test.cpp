@@ -287,5 +287,45 @@ TEST(Table, TakesDecimalCommasInQuotes) {
   EXPECT_EQ(only_of("380,\"0,25\"\n390,\"0,5\"\n400,\"0,125\"\n"), fabric);
 }
 
+TEST(Table, ColumnsKeepTheNamesThatHeadingsGiveThem) {
+  const auto names = [](const std::string& heading) {
+    std::string all;
+    for (const NamedSpectrum& one : table(heading + "380;0,1;0,2\n390;0,3;0,4\n").spectra)
+      all += one.name + "|";
+    return all;
+  };
+  EXPECT_EQ(names("nm;A %;B %\n"), "A %|B %|");
+  EXPECT_EQ(names("nm;A [%];B (%)\n"), "A|B|");
+  EXPECT_EQ(names("nm;1;2\n"), "1|2|");
+  EXPECT_EQ(names("nm;red;blue\nnm;1;1\n"), "red|blue|") << "a line of units";
+  EXPECT_EQ(names("nm;red;blue\nnm;[%];%\n"), "red|blue|");
+  EXPECT_EQ(names("nm;R(λ) a;R(λ) b\n"), "R(λ) a|R(λ) b|");
+}
+
+TEST(Table, WithPercentsInSomeColumnsScalesWhatCanBeRelativeToOneAlone) {
+  const SpectrumFile all = table("nm;A [%];B\n380;10;20\n390;30;40\n400;50;60\n");
+  EXPECT_EQ(all.spectra[1].spectrum.values, (std::vector<double>{20, 40, 60}));
+  EXPECT_EQ(all.notes.back(), "column 3 is taken for percents, as others say that they are");
+  const SpectrumFile one = table("nm;A [%];B\n380;10;0,2\n390;30;0,4\n400;50;0,6\n");
+  EXPECT_EQ(one.spectra[1].spectrum.values, (std::vector<double>{20, 40, 60}));
+  EXPECT_TRUE(one.notes.empty());
+}
+
+TEST(Table, TheWavelengthsStandFirst) {
+  EXPECT_EQ(table_error("R,nm\n0.5,400\n0.6,500\n"),
+            "t.csv:1:3: error: the column of the wavelengths has to stand before those of values");
+  EXPECT_EQ(only_of("nm;R(λ)\n400;0,5\n500;0,7\n").values, (std::vector<double>{0.5, 0.7}));
+}
+
+TEST(Table, OfOceanViewSaysWhatItsValuesAre) {
+  const auto text = [](const std::string& mode) {
+    return "Data from x\nXAxis mode: Wavelengths\nYAxis mode: " + mode +
+           "\n>>>>>Begin Spectral Data<<<<<\n400\t0.5\n500\t0.6\n";
+  };
+  EXPECT_EQ(table_error(text("Absorbance")),
+            "t.csv:3:1: error: absorbance is neither a reflectance, a transmittance nor a power");
+  EXPECT_EQ(table_error(text("Reflection")), "no error");
+}
+
 }  // namespace
 }  // namespace metamer

@@ -48,16 +48,16 @@ TEST(Cxf, ReadsReflectances) {
 }
 
 TEST(Cxf, ReadsEmissionsAndTheirOwnRange) {
-  const SpectrumFile file = xml(cxf("cc",
-                                    "<@Object Name=\"lamp\"><@EmissionSpectrum StartWL=\"380\" "
-                                    "Increment=\"5\">1 2</@EmissionSpectrum>"
-                                    "</@Object><@Object Name=\"b\"><@EmissionSpectrum "
-                                    "ColorSpecification=\"CS1\">7</@EmissionSpectrum>"
-                                    "</@Object>"));
-  EXPECT_EQ(file.quantity, Quantity::emission);
-  ASSERT_EQ(file.spectra.size(), 2U);
-  EXPECT_EQ(file.spectra[0].spectrum, (Spectrum{{380, 385}, {1, 2}}));
-  EXPECT_EQ(file.spectra[1].spectrum, (Spectrum{{400}, {7}}));
+  for (const std::string kind : {"EmissionSpectrum", "EmissiveSpectrum"}) {
+    const SpectrumFile file = xml(
+        cxf("cc", "<@Object Name=\"lamp\"><@" + kind + " StartWL=\"380\" Increment=\"5\">1 2</@" +
+                      kind + "></@Object><@Object Name=\"b\"><@" + kind +
+                      " ColorSpecification=\"CS1\">7</@" + kind + "></@Object>"));
+    EXPECT_EQ(file.quantity, Quantity::emission);
+    ASSERT_EQ(file.spectra.size(), 2U) << kind;
+    EXPECT_EQ(file.spectra[0].spectrum, (Spectrum{{380, 385}, {1, 2}}));
+    EXPECT_EQ(file.spectra[1].spectrum, (Spectrum{{400}, {7}}));
+  }
 }
 
 TEST(Cxf, LocatesWhatIsWrong) {
