@@ -122,6 +122,15 @@ PAIR = """\
 # eye does not see under D65 (make/spectra.py computes it)."""
 
 
+LOOKS = """\
+# Looks: `metamer render booth.txtpb --look A -o a.png`. The window has them on its keys 1 to 4.
+look { name: "D65" light { name: "*" spectrum { standard: "D65" } } }
+look { name: "A" light { name: "*" spectrum { standard: "A" } } }
+look { name: "F11" light { name: "*" spectrum { standard: "F11" } } }
+# As in a shop: a fluorescent tube on one side, a filament lamp on the other.
+look { name: "shop" light { name: "lamp left" spectrum { standard: "F11" } } light { name: "lamp right" spectrum { standard: "A" } } }"""
+
+
 def scene():
     lamp = 'spectrum { standard: "D65" } luminance: 0.72 reference_distance: 1.9 }'
     parts = [
@@ -136,6 +145,7 @@ def scene():
         ["# Three steps with five cards and five balls each."] + bleacher(),
         [PAIR] + pair() + swatches(),
         [sphere("mirror ball", "mirror", (0.0, 0.19, 0.42), 0.19)],
+        [LOOKS],
         ["settings { width: 960 height: 640 spp: 16 method { point { from: 400 to: 700 step: 5 } } }"]]
     return "\n\n".join("\n".join(part) for part in parts) + "\n"
 
