@@ -34,17 +34,17 @@ std::string role_text(v1::Role role) {
 void print_sessions(const v1::Info& info, Report& report) {
   for (const v1::SessionInfo& session : info.session()) {
     const std::string user = session.user().empty() ? "nobody yet" : printable(session.user());
-    report.line("session of " + user + " (" + printable(session.peer()) +
-                "): " + printable(session.client()) + ", for " + clock(session.age()) + ", idle " +
-                clock(session.idle()) + ", " + counted(session.watches(), "watch", "watches") +
-                ", " + counted(session.views(), "view", "views"));
+    report.wrapped("session of " + user + " (" + printable(session.peer()) + "): " +
+                   printable(session.client()) + ", for " + clock(session.age()) + ", idle " +
+                   clock(session.idle()) + ", " + counted(session.watches(), "watch", "watches") +
+                   ", " + counted(session.views(), "view", "views"));
   }
 }
 
 void print_users(const v1::Info& info, Report& report) {
   for (const v1::UserUsage& user : info.user()) {
     const std::string role = role_text(user.role());
-    report.line(
+    report.wrapped(
         "user " + printable(user.user()) + (role.empty() ? "" : ", " + role) + ": " +
         counted(user.sessions(), "session", "sessions") +
         "; jobs: " + std::to_string(user.jobs_running()) + " running, " +

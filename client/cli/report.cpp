@@ -72,6 +72,18 @@ void Report::line(const std::string& text) {
   std::cout.flush();
 }
 
+void Report::wrapped(const std::string& text) {
+  constexpr std::size_t width = 80, indent = 2;
+  std::string rest = text;
+  while (rest.size() > width) {
+    const std::size_t blank = rest.rfind(' ', width);
+    if (blank == std::string::npos || blank <= indent) break;
+    line(rest.substr(0, blank));
+    rest = std::string(indent, ' ') + rest.substr(blank + 1);
+  }
+  line(rest);
+}
+
 ExitCode Report::finish(ExitCode code) {
   if (json_) {
     document_["exit_code"] = static_cast<int>(code);

@@ -38,6 +38,9 @@ class Report {
 
   /// A line of the answer on stdout; nothing with --json.
   void line(const std::string& text);
+  /// The same in pieces of 80 characters at most, parted at blanks; those after the first are
+  /// indented.
+  void wrapped(const std::string& text);
 
   /// The last call: prints the document with --json. Error: stdout can't be written.
   ExitCode finish(ExitCode code);

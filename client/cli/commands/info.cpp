@@ -21,19 +21,6 @@ struct InfoOptions {
   bool health = false;  ///< Nothing but whether the server is well.
 };
 
-/// A line in pieces of 80 characters at most, parted at blanks; those after the first are indented.
-void print_wrapped(const std::string& line, Report& report) {
-  constexpr std::size_t width = 80, indent = 2;
-  std::string rest = line;
-  while (rest.size() > width) {
-    const std::size_t blank = rest.rfind(' ', width);
-    if (blank == std::string::npos || blank <= indent) break;
-    report.line(rest.substr(0, blank));
-    rest = std::string(indent, ' ') + rest.substr(blank + 1);
-  }
-  report.line(rest);
-}
-
 std::string list(const google::protobuf::RepeatedPtrField<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
@@ -41,48 +28,41 @@ std::string list(const google::protobuf::RepeatedPtrField<std::string>& words) {
 }
 
 void print_gl(const v1::GlCapabilities& gl, Report& report) {
-  print_wrapped(
-      "gl: " + gl.renderer() + (gl.software() ? ", software" : "") + "; GL " + gl.version(),
-      report);
-  print_wrapped(
-      "  buffers of " + std::to_string(gl.storage_bytes() >> 20) + " MiB, textures of " +
-          std::to_string(gl.texture_side()) + " pixels, " +
-          (gl.loop_iterations()
-               ? "leaves loops after " + std::to_string(gl.loop_iterations()) + " iterations, "
-               : std::string()) +
-          (gl.timers() ? "timers agree with the clock"
-                       : "timers disagree with the clock and are not used"),
-      report);
+  report.wrapped("gl: " + gl.renderer() + (gl.software() ? ", software" : "") + "; GL " +
+                 gl.version());
+  report.wrapped("  buffers of " + std::to_string(gl.storage_bytes() >> 20) + " MiB, textures of " +
+                 std::to_string(gl.texture_side()) + " pixels, " +
+                 (gl.loop_iterations() ? "leaves loops after " +
+                                             std::to_string(gl.loop_iterations()) + " iterations, "
+                                       : std::string()) +
+                 (gl.timers() ? "timers agree with the clock"
+                              : "timers disagree with the clock and are not used"));
 }
 
 void print_server(const v1::Info& info, double ping, Report& report) {
-  print_wrapped(info.server() + ": up " + clock(info.uptime()) +
-                    client::formatted(", answers in %.1f ms, %u %s", ping * 1e3, info.sessions(),
-                                      info.sessions() == 1 ? "session" : "sessions"),
-                report);
-  if (!info.trouble().empty()) print_wrapped("trouble: " + info.trouble(), report);
-  print_wrapped("jobs: " + std::to_string(info.jobs_running()) + " running, " +
-                    std::to_string(info.jobs_queued()) + " queued; " +
-                    std::to_string((info.store_bytes() + (1u << 20) - 1) >> 20) + " MiB of assets" +
-                    (info.state_bytes() == 0
-                         ? std::string()
-                         : ", " + std::to_string((info.state_bytes() + (1u << 20) - 1) >> 20) +
-                               " MiB of pictures kept"),
-                report);
+  report.wrapped(info.server() + ": up " + clock(info.uptime()) +
+                 client::formatted(", answers in %.1f ms, %u %s", ping * 1e3, info.sessions(),
+                                   info.sessions() == 1 ? "session" : "sessions"));
+  if (!info.trouble().empty()) report.wrapped("trouble: " + info.trouble());
+  report.wrapped("jobs: " + std::to_string(info.jobs_running()) + " running, " +
+                 std::to_string(info.jobs_queued()) + " queued; " +
+                 std::to_string((info.store_bytes() + (1u << 20) - 1) >> 20) + " MiB of assets" +
+                 (info.state_bytes() == 0
+                      ? std::string()
+                      : ", " + std::to_string((info.state_bytes() + (1u << 20) - 1) >> 20) +
+                            " MiB of pictures kept"));
   print_users(info, report);
   print_sessions(info, report);
   for (const v1::WorkerInfo& worker : info.worker())
-    print_wrapped(worker.backend() + " worker" +
-                      (worker.pid() ? " " + std::to_string(worker.pid()) : "") + ": " +
-                      worker.state() + ", start " + std::to_string(worker.starts()) +
-                      (worker.sandbox().empty() ? "" : ", sandbox " + worker.sandbox()) +
-                      (worker.last_exit().empty() ? "" : "; the one before: " + worker.last_exit()),
-                  report);
-  print_wrapped("backends: " + list(info.capabilities().backend()) + " (" +
-                    std::to_string(info.capabilities().threads()) + " threads)",
-                report);
+    report.wrapped(worker.backend() + " worker" +
+                   (worker.pid() ? " " + std::to_string(worker.pid()) : "") + ": " +
+                   worker.state() + ", start " + std::to_string(worker.starts()) +
+                   (worker.sandbox().empty() ? "" : ", sandbox " + worker.sandbox()) +
+                   (worker.last_exit().empty() ? "" : "; the one before: " + worker.last_exit()));
+  report.wrapped("backends: " + list(info.capabilities().backend()) + " (" +
+                 std::to_string(info.capabilities().threads()) + " threads)");
   if (info.capabilities().has_gl()) print_gl(info.capabilities().gl(), report);
-  print_wrapped("methods: " + list(info.capabilities().method()), report);
+  report.wrapped("methods: " + list(info.capabilities().method()));
 }
 
 /// The models by kind, a line each.
@@ -94,7 +74,7 @@ void print_model_names(const v1::Capabilities& capabilities, Report& report) {
     if (found == kinds.end()) found = kinds.insert(found, {model.kind(), ""});
     found->second += (found->second.empty() ? "" : ", ") + model.name();
   }
-  for (const auto& [kind, names] : kinds) print_wrapped(kind + ": " + names, report);
+  for (const auto& [kind, names] : kinds) report.wrapped(kind + ": " + names);
 }
 
 void print_models(const v1::Capabilities& capabilities, Report& report) {
@@ -114,10 +94,9 @@ void print_features(const char* what,
                     const google::protobuf::RepeatedPtrField<v1::FeatureSet>& sets,
                     Report& report) {
   for (const v1::FeatureSet& set : sets)
-    print_wrapped(
+    report.wrapped(
         std::string(what) + " " + set.name() + ": " +
-            (set.feature().empty() ? "nothing that a scene has to ask for" : list(set.feature())),
-        report);
+        (set.feature().empty() ? "nothing that a scene has to ask for" : list(set.feature())));
 }
 
 /// What one may ask for; an older server does not say all of it.
@@ -131,7 +110,7 @@ void print_limits(const v1::Limits& limits, Report& report) {
   if (limits.views() > 0) line += "; " + counted(limits.views(), "view", "views");
   if (limits.watches() > 0)
     line += " and " + counted(limits.watches(), "watch", "watches") + " a session";
-  print_wrapped(line, report);
+  report.wrapped(line);
 }
 
 void print_info(const v1::Info& info, double ping, const InfoOptions& options, Report& report) {
@@ -141,7 +120,7 @@ void print_info(const v1::Info& info, double ping, const InfoOptions& options, R
   if (options.all) {
     print_limits(info.limits(), report);
     for (const v1::Choice& choice : capabilities.choice())
-      print_wrapped(choice.field() + ": " + list(choice.word()), report);
+      report.wrapped(choice.field() + ": " + list(choice.word()));
   }
   if (options.methods || options.all) {
     print_features("backend", capabilities.backend_features(), report);
