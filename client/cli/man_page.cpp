@@ -28,7 +28,8 @@ sends scenes to a
 .BR metamerd (8)
 and takes pictures from it. Without
 .B \-\-server
-or METAMER_SERVER most commands start a private one.
+or METAMER_SERVER the commands render, check, bench and tradeoff start a private one; models, spectra, relight and
+compare need none; the others need one that runs.
 .B metamer
 .I COMMAND
 .B \-\-help
@@ -64,6 +65,13 @@ the picture is there, and is not as accurate, or as quick, as asked for.
 the server where no
 .B \-\-server
 names one.
+.SH FILES
+.TP
+.I ~/.config/metamer/servers.toml
+what
+.B metamer login
+keeps of each server: the token, and how its certificate is known. Only its owner may be able to read it. Without a
+server's section its token is forgotten.
 .SH SEE ALSO
 .BR metamerd (8)
 )";

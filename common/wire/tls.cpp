@@ -5,6 +5,7 @@
 #include <openssl/x509v3.h>
 
 #include <array>
+#include <cstring>
 
 #include "common/wire/tls_native.h"
 
@@ -25,15 +26,14 @@ std::string fingerprint_of(X509* certificate) {
 
 namespace {
 
-std::string why() {
+/// The first thing that went wrong; OpenSSL has no words for what the system says.
+tl::unexpected<Problem> bad_file(const std::filesystem::path& file, const std::string& lacks) {
   const unsigned long code = ERR_get_error();
   ERR_clear_error();
+  if (ERR_SYSTEM_ERROR(code))
+    return problem(file.string() + " can't be read: " + std::strerror(ERR_GET_REASON(code)));
   const char* words = code ? ERR_reason_error_string(code) : nullptr;
-  return words ? words : "unknown reason";
-}
-
-tl::unexpected<Problem> bad_file(const std::filesystem::path& file, const std::string& lacks) {
-  return problem(file.string() + " " + lacks + ": " + why());
+  return problem(file.string() + " " + lacks + ": " + (words ? words : "unknown reason"));
 }
 
 /// Only the certificate's own sum counts where one is pinned.

@@ -91,25 +91,38 @@ int serve(const service::CommandLine& line, service::Settings& settings) {
   return run(line, settings);
 }
 
+int refuse(const service::Problems& problems) {
+  for (const Problem& problem : problems)
+    std::fprintf(stderr, "%s\n", metamer::format(problem).c_str());
+  return exit_usage;
+}
+
+int check(const std::string& file, const service::Settings& settings) {
+  for (const std::string& caution : service::cautions(settings))
+    std::fprintf(stderr, "%s: warning: %s\n", file.c_str(), caution.c_str());
+  auto wrong = service::contradictions(settings);
+  if (wrong.empty()) return exit_ok;
+  for (Problem& problem : wrong) problem.file = file;
+  return refuse(wrong);
+}
+
 int run(const service::CommandLine& line) {
   auto settings = service::settings_of(line);
-  if (!settings) {
-    for (const Problem& problem : settings.error())
-      std::fprintf(stderr, "%s\n", metamer::format(problem).c_str());
-    return exit_usage;
-  }
+  if (!settings) return refuse(settings.error());
   switch (line.task) {
     case service::CommandLine::Task::print_config:
       std::fputs(service::config_text(*settings).c_str(), stdout);
       return exit_ok;
     case service::CommandLine::Task::check_config:
-      return exit_ok;
+      return check(*line.config, *settings);
     case service::CommandLine::Task::serve:
       break;
   }
   service::log_to_stderr(settings->log_level, settings->log_format == "json"
                                                   ? service::LogFormat::json
                                                   : service::LogFormat::text);
+  if (const auto wrong = service::contradictions(*settings); !wrong.empty()) return refuse(wrong);
+  for (const std::string& caution : service::cautions(*settings)) spdlog::warn("{}", caution);
   keep_message_memory();
   service::allow_descriptors();
   ::signal(SIGPIPE, SIG_IGN);

@@ -128,11 +128,11 @@ TEST_F(LoginE2e, PlainWordsToTlsAndTheReverseAreSaidForWhatTheyAre) {
 
 TEST_F(LoginE2e, OtherMachinesAreReachedByTlsAloneUnlessToldOtherwise) {
   const Ended refused = run({"metamerd", "--listen", "0.0.0.0:0"});
-  EXPECT_EQ(refused.code, 1);
+  EXPECT_EQ(refused.code, 2);
   EXPECT_NE(refused.err.find("Listen on tls:0.0.0.0:0, or say --insecure"), std::string::npos)
       << refused.err;
   const Ended no_certificate = run({"metamerd", "--listen", "tls:0.0.0.0:0"});
-  EXPECT_EQ(no_certificate.code, 1);
+  EXPECT_EQ(no_certificate.code, 2);
   EXPECT_NE(no_certificate.err.find("TLS needs --tls-cert and --tls-key"), std::string::npos);
   Process insecure({"metamerd", "--listen", "0.0.0.0:0", "--insecure", "--unconfined"});
   EXPECT_TRUE(insecure.line_err("listening on 0.0.0.0:"));

@@ -1,8 +1,15 @@
 #include "server/service/ops/command_line.h"
 
+#include <fmt/format.h>
+#include <grp.h>
+#include <sys/stat.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 
+#include "common/wire/endpoint.h"
+#include "common/wire/tls.h"
 #include "server/service/ops/option_value.h"
 
 namespace metamer::service {
@@ -41,6 +48,22 @@ CLI::Option* declare(CLI::App& app, const Option& option) {
     if (is_list(option)) declared->take_all()->allow_extra_args(false);
   }
   return declared->group(option.section.empty() ? "Options" : "[" + option.section + "]");
+}
+
+constexpr mode_t readable_by_others = S_IRGRP | S_IROTH;
+
+bool leads_beyond_this_machine(const wire::Endpoint& endpoint) {
+  if (endpoint.kind != wire::Endpoint::Kind::tcp) return false;
+  boost::system::error_code is_name;
+  const auto address = boost::asio::ip::make_address(endpoint.host, is_name);
+  return !is_name && !address.is_loopback();
+}
+
+std::vector<wire::Endpoint> endpoints_of(const Settings& settings) {
+  std::vector<wire::Endpoint> endpoints;
+  for (const std::string& text : settings.listen)
+    if (const auto endpoint = wire::parse_endpoint(text)) endpoints.push_back(*endpoint);
+  return endpoints;
 }
 
 }  // namespace
@@ -95,6 +118,47 @@ tl::expected<Settings, Problems> settings_of(const CommandLine& line) {
     if (!given) return tl::unexpected(Problems{given.error()});
   }
   return settings;
+}
+
+Problems contradictions(const Settings& settings) {
+  Problems found;
+  const auto wrong = [&](std::string message) {
+    found.push_back({.field = {}, .file = {}, .message = std::move(message)});
+  };
+  const ListenOptions& listening = settings.service.listening;
+  const auto endpoints = endpoints_of(settings);
+  for (const wire::Endpoint& endpoint : endpoints) {
+    const std::string name = wire::to_string(endpoint);
+    if (!endpoint.tls && !listening.insecure && leads_beyond_this_machine(endpoint))
+      wrong(
+          fmt::format("listen: what is said on {0} could be read on the way. Listen on tls:{0}, "
+                      "or say --insecure",
+                      name));
+  }
+  if (std::any_of(endpoints.begin(), endpoints.end(), [](const auto& one) { return one.tls; })) {
+    if (listening.tls.certificate.empty() || listening.tls.key.empty()) {
+      wrong("listen: TLS needs --tls-cert and --tls-key");
+    } else if (const auto tls = wire::TlsContext::server(listening.tls, listening.client_ca);
+               !tls) {
+      wrong(tls.error().message);
+    }
+  }
+  const std::string& group = listening.socket.group;
+  if (!group.empty() && !::getgrnam(group.c_str()))
+    wrong("socket-group: there is no group \"" + group + "\"");
+  return found;
+}
+
+std::vector<std::string> cautions(const Settings& settings) {
+  const std::filesystem::path& key = settings.service.listening.tls.key;
+  struct stat status {};
+  if (key.empty() || ::stat(key.c_str(), &status) != 0 ||
+      (status.st_mode & readable_by_others) == 0)
+    return {};
+  return {
+      fmt::format("tls-key: {} may be read by others than its owner (mode {:04o}), and whoever "
+                  "has it can pass for this server: chmod 400",
+                  key.string(), status.st_mode & 07777)};
 }
 
 }  // namespace metamer::service

@@ -31,4 +31,13 @@ tl::expected<CommandLine, int> parse_command_line(int argc, const char* const* a
 /// What the file and then the command line say.
 tl::expected<Settings, Problems> settings_of(const CommandLine& line);
 
+/// What keeps settings from being carried out that are right one by one: an endpoint by TLS without
+/// a certificate, certificates that this process can't read, a way in that is open to other
+/// machines, a group that does not exist. Reads the certificates; opens no socket. A host's name is
+/// not looked up, so that one which leads beyond this machine is found when it is listened on.
+Problems contradictions(const Settings& settings);
+
+/// What can be carried out and is hardly meant: a key that others than its owner may read.
+std::vector<std::string> cautions(const Settings& settings);
+
 }  // namespace metamer::service

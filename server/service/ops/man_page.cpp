@@ -45,6 +45,22 @@ metamerd \- the Metamer render service
 .br
 .B metamerd \-\-print\-config
 .RI [ OPTION ]...
+.br
+.B metamerd user add
+.I NAME
+.B \-\-state
+.I DIR
+.RI [ OPTION ]...
+.br
+.B metamerd user revoke
+.I NAME
+.B \-\-state
+.I DIR
+.RB [ \-\-token
+.IR LABEL ]
+.br
+.B metamerd user list \-\-state
+.I DIR
 .SH DESCRIPTION
 .B metamerd
 takes jobs and views of spectral scenes over sockets, starts workers that render them inside a sandbox, and
@@ -62,13 +78,45 @@ read this file first; without a name /etc/metamer/metamerd.toml, where that exis
 print the configuration in force, with comments, and end.
 .TP
 .BI \-\-check\-config " FILE"
-say what is wrong with this file, by line and column, and end.
+say what is wrong with this file, by line and column, and end. The certificates that it names are read, too: call
+it as the daemon's user.
 .TP
 .B \-\-help\fR, \fP\-\-version
 say what the options are, or which version it is.
 )";
 
-constexpr const char* after_options = R"(.SH SIGNALS
+constexpr const char* after_options = R"(.SH USERS
+.B metamerd user
+says who may use a daemon that keeps its state in
+.IR DIR ;
+one that runs sees each change within seconds. Root acts as the owner of
+.IR DIR .
+The options of
+.BR "user add" :
+.TP
+.BI \-\-role " viewer|submitter|admin"
+look at the server and at views; submit jobs, too; order everybody's jobs, too. A new user needs one.
+.TP
+.BI \-\-uid " NUMBER"
+the user of this machine who comes in as NAME by a Unix socket.
+.TP
+.BI \-\-token " LABEL"
+print a new token, which is kept as a hash and can't be printed again. One label may be that of several tokens, which
+.B user revoke \-\-token
+then revokes together.
+.TP
+.BI \-\-expires " DAYS"
+after which that token is no longer valid.
+.TP
+.BI \-\-share " WEIGHT"
+the user's part of each worker beside others'; 1 at first.
+.TP
+.B \-\-max\-jobs\fR, \fP\-\-max\-bytes\fR, \fP\-\-max\-sessions\fR " NUMBER"
+jobs that have not ended, bytes of assets, sessions at a time: where not set, 7/8 of what is free.
+.PP
+Of a user who is there already, what is not named stays; one who was revoked is let in again, his old tokens are not.
+A revoked user's sessions are closed and his jobs go on: an admin cancels them.
+.SH SIGNALS
 .TP
 .B SIGTERM\fR, \fPSIGINT
 take no more jobs, tell those who watch, let them take what is on its way for at most

@@ -1,5 +1,9 @@
 #include "server/service/ops/user_command.h"
 
+#include <grp.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <ctime>
@@ -69,6 +73,11 @@ std::string limits_text(const User& user) {
   return text;
 }
 
+std::string expiry_text(const Token& token) {
+  if (!token.expires_at) return {};
+  return (*token.expires_at > wall_clock() ? ", expires " : ", expired ") + date(*token.expires_at);
+}
+
 Result<void> list_users(Users& users, const UserWords&) {
   for (const User& user : users.list()) {
     std::printf("%s: %s%s, share %g%s%s\n", user.name.c_str(), word(user.role),
@@ -77,7 +86,7 @@ Result<void> list_users(Users& users, const UserWords&) {
                 user.revoked_at ? (", revoked " + date(*user.revoked_at)).c_str() : "");
     for (const Token& token : users.tokens(user.name))
       std::printf("  token \"%s\" of %s%s%s\n", token.label.c_str(), date(token.created_at).c_str(),
-                  token.expires_at ? (", expires " + date(*token.expires_at)).c_str() : "",
+                  expiry_text(token).c_str(),
                   token.revoked_at ? (", revoked " + date(*token.revoked_at)).c_str() : "");
   }
   return {};
@@ -115,7 +124,10 @@ void declare_users(CLI::App& app, UserWords& words, UserTask& task) {
     command->add_option("name", words.name, "the user's name")->required()->type_name("NAME");
   };
   CLI::App* add = subcommand(
-      "add", "make a user, or change one: what is not named stays. Prints a new token", add_user);
+      "add",
+      "make a user, let a revoked one in again, or change one: what is not named stays. Prints the "
+      "token that --token makes",
+      add_user);
   name(add);
   add->add_option("--role", words.role,
                   "viewer: looks; submitter: and submits; admin: and orders everybody's jobs")
@@ -133,12 +145,22 @@ void declare_users(CLI::App& app, UserWords& words, UserTask& task) {
   revoke->add_option("--token", words.token, "this one alone")->type_name("LABEL");
 }
 
+/// Root acts as the state's owner: what it made itself the daemon could not open. Any error is the
+/// database's to tell.
+void become_owner_of(const std::filesystem::path& folder) {
+  struct stat status {};
+  if (::geteuid() != 0 || ::stat(folder.c_str(), &status) != 0 || status.st_uid == 0) return;
+  if (::setgroups(0, nullptr) == 0 && ::setgid(status.st_gid) == 0) [[maybe_unused]]
+    const int became = ::setuid(status.st_uid);
+}
+
 Result<void> carry_out(const UserWords& words, const UserTask& task) {
   const std::filesystem::path folder = words.state;
   std::error_code ignored;
   if (!std::filesystem::is_directory(folder, ignored))
     return problem("there is no folder " + folder.string() +
                    "; metamerd --state makes one when it starts");
+  become_owner_of(folder);
   try {
     Database database(folder / database_name);
     if (auto migrated = migrate(database); !migrated) return migrated;

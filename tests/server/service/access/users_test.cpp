@@ -1,12 +1,17 @@
 #include "server/service/access/users.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <set>
 
 #include "../temporary_state.h"
+#include "server/service/ops/folders.h"
 #include "server/service/store/schema.h"
 
 namespace metamer::service::test {
@@ -151,6 +156,43 @@ TEST_F(UsersTest, AnotherProcessThatComesAndGoesTakesNothingFromTheConnectionsHe
   ASSERT_EQ(std::system((command + " --uid 7").c_str()), 0);
   EXPECT_FALSE(users_.find("ann")->revoked_at);
   EXPECT_EQ(Users(second).find("ann")->uid, 7u);
+}
+
+// Root's own files would be there when the daemon, which is another user, comes to make its own.
+TEST_F(UsersTest, WhatRootMakesIsTheStatesOwners) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root makes files for others";
+  const TemporaryFolder folder = TemporaryFolder::make().value();
+  constexpr uid_t daemon = 4242;
+  ASSERT_EQ(::chown(folder.path().c_str(), daemon, daemon), 0);
+  ASSERT_EQ(std::system((METAMER_BIN "/metamerd user add ann --role viewer --state " +
+                         folder.path().string())
+                            .c_str()),
+            0);
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    struct stat status {};
+    ASSERT_EQ(::stat(entry.path().c_str(), &status), 0);
+    EXPECT_EQ(status.st_uid, daemon) << entry.path();
+    EXPECT_EQ(status.st_gid, daemon) << entry.path();
+    ++files;
+  }
+  EXPECT_GE(files, 1u);
+}
+
+TEST_F(UsersTest, AListSaysWhichTokensHaveExpired) {
+  ASSERT_TRUE(users_.add(change("ann", v1::VIEWER), 0));
+  users_.add_token("ann", "old", 1e9, 0);
+  users_.add_token("ann", "young", 1e11, 0);
+  FILE* pipe =
+      ::popen((METAMER_BIN "/metamerd user list --state " + state_.path().string()).c_str(), "r");
+  std::string list;
+  for (int byte = std::fgetc(pipe); byte != EOF; byte = std::fgetc(pipe))
+    list += static_cast<char>(byte);
+  EXPECT_EQ(::pclose(pipe), 0);
+  EXPECT_NE(list.find("token \"old\" of 1970-01-01, expired 2001-09-09\n"), std::string::npos)
+      << list;
+  EXPECT_NE(list.find("token \"young\" of 1970-01-01, expires 5138-11-16\n"), std::string::npos)
+      << list;
 }
 
 }  // namespace metamer::service::test

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "../../../common/wire/certificates.h"
 #include "../client.h"
 #include "../program.h"
 #include "common/digest.h"
@@ -223,6 +224,49 @@ TEST_F(Metamerd, AWrongFileIsAnErrorOfUsageWithItsPlace) {
     Program program(folder_.path(), {"--check-config", missing});
     EXPECT_EQ(program.wait(), 2);
     EXPECT_NE(program.log().find(missing + ": error: can't be read"), std::string::npos)
+        << program.log();
+  }
+}
+
+TEST_F(Metamerd, SettingsThatCantBeCarriedOutTogetherAreErrorsOfUsage) {
+  const std::string file = (folder_.path() / "m.toml").string();
+  const auto set = [&](const std::string& text) { std::ofstream(file) << "[service]\n" << text; };
+  const std::pair<const char*, const char*> cases[] = {
+      {"listen = [\"tls:0.0.0.0:0\"]", "error: listen: TLS needs --tls-cert and --tls-key"},
+      {"listen = [\"tls:127.0.0.1:0\"]\ntls-cert = \"/no.pem\"\ntls-key = \"/no.key\"",
+       "error: /no.pem can't be read: No such file or directory"},
+      {"listen = [\"0.0.0.0:0\"]", "could be read on the way. Listen on tls:0.0.0.0:0, or say"},
+      {"listen = [\"[::]:0\"]", "could be read on the way. Listen on tls:[::]:0, or say"},
+      {"socket-group = \"no-such-group\"", "socket-group: there is no group \"no-such-group\""}};
+  for (const auto& [text, complaint] : cases) {
+    set(text);
+    for (const char* how : {"--check-config", "--config"}) {
+      Program program(folder_.path(), {how, file});
+      EXPECT_EQ(program.wait(), 2) << how << " " << text;
+      EXPECT_NE(program.log().find(complaint), std::string::npos) << program.log();
+    }
+  }
+  for (const char* text : {"listen = [\"127.0.0.1:0\", \"[::1]:0\", \"unix:/x\"]",
+                           "listen = [\"0.0.0.0:0\"]\ninsecure = true"}) {
+    set(text);
+    Program program(folder_.path(), {"--check-config", file});
+    EXPECT_EQ(program.wait(), 0) << program.log();
+  }
+}
+
+TEST_F(Metamerd, AKeyThatOthersMayReadIsToldOf) {
+  wire::test::Certificates certificates;
+  const wire::TlsIdentity server = certificates.sign("server", "DNS:localhost");
+  const std::string file = (folder_.path() / "m.toml").string();
+  std::ofstream(file) << "[service]\nlisten = [\"tls:127.0.0.1:0\"]\ntls-cert = "
+                      << server.certificate << "\ntls-key = " << server.key << "\n";
+  for (const auto& [mode, told] : {std::pair(0400, false), std::pair(0640, true)}) {
+    fs::permissions(server.key, static_cast<fs::perms>(mode));
+    Program program(folder_.path(), {"--check-config", file});
+    EXPECT_EQ(program.wait(), 0) << program.log();
+    EXPECT_EQ(
+        program.log().find(server.key.string() + " may be read by others") != std::string::npos,
+        told)
         << program.log();
   }
 }
