@@ -1,0 +1,25 @@
+"""A client of metamerd, the spectral render service: pictures and spectra as numpy arrays.
+
+    import metamer
+
+    with metamer.local() as server:                 # or metamer.connect("tls:render.example:7777")
+        picture = server.render("scene.txtpb")
+    picture.xyz                                     # (height, width, 3) float32
+    picture.save("scene.png")
+
+The same for asyncio is metamer.aio. Names are those of the wire, the scene file and the command line.
+"""
+from metamer import aio
+from metamer.blocking import Server, connect, local
+from metamer.credentials import Credentials
+from metamer.errors import (Disconnected, InputError, JobCancelled, JobFailed, MetamerError, NoServer, ProtocolError,
+                            ServerError, ViewClosed)
+from metamer.events import Event, Preview, Tile
+from metamer.picture import Picture, save_png
+from metamer.scene import Scene
+from metamer.session import Session
+from metamer.srgb import linear_srgb, to_srgb
+
+__all__ = ["Credentials", "Disconnected", "Event", "InputError", "JobCancelled", "JobFailed", "MetamerError", "NoServer",
+           "Picture", "Preview", "ProtocolError", "Scene", "Server", "ServerError", "Session", "Tile", "ViewClosed",
+           "aio", "connect", "linear_srgb", "local", "save_png", "to_srgb"]

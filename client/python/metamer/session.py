@@ -1,0 +1,193 @@
+"""A session with a server, for asyncio: handshake, requests, jobs. Names are those of the wire and the command line."""
+import asyncio
+import os
+from collections.abc import AsyncIterator
+from contextlib import aclosing
+
+from metamer.address import parse_address
+from metamer.credentials import Credentials, kept_credentials
+from metamer.errors import Disconnected, InputError, JobCancelled, JobFailed, NoServer, ProtocolError, VersionError
+from metamer.events import Event, Tile, make_event
+from metamer.exchange import Connection, Exchange
+from metamer.picture import Film, Picture
+from metamer.reach import reach
+from metamer.scene import Asset, Scene, Submission, as_scene, make_submission
+from metamer.v1 import assets_pb2, jobs_pb2, session_pb2
+
+PROTOCOL_VERSION = 1
+CLIENT = "metamer-python 0.1.0"
+WELCOME_SECONDS = 15.0  # a server may wait 5 s for its first worker, on a loaded machine twice that
+_DIGESTS_AT_ONCE = 4096
+SceneLike = Scene | str | os.PathLike[str]
+
+
+class Session:
+    """A connection after its handshake, of one event loop; several calls may be under way at once. `welcome` is what
+    the server said of itself. Every call may raise Disconnected, ProtocolError and a ServerError."""
+
+    def __init__(self, connection: Connection, welcome: session_pb2.Welcome) -> None:
+        self._connection = connection
+        self.welcome = welcome
+
+    @classmethod
+    async def connect(cls, server: str, credentials: Credentials | None = None) -> "Session":
+        """`server`: unix:PATH, HOST:PORT or tls:HOST:PORT; `credentials`: None, those that `metamer login` has kept.
+        Raises InputError, NoServer, VersionError, Unauthenticated, LimitError."""
+        address = parse_address(server)
+        if credentials is None:
+            credentials = kept_credentials(str(address))
+        connection = Connection(*await reach(address, credentials), str(address))
+        try:
+            hello = session_pb2.Hello(protocol_version=PROTOCOL_VERSION, client=CLIENT, token=credentials.token)
+            async with asyncio.timeout(WELCOME_SECONDS):
+                with Exchange(connection) as exchange:
+                    await exchange.send(hello, "hello")
+                    welcome = await exchange.receive("welcome")
+            if welcome.protocol_version != PROTOCOL_VERSION:
+                raise VersionError(session_pb2.Error(code=session_pb2.Error.VERSION, message=(
+                    f"{address} speaks version {welcome.protocol_version} of the protocol, this program {PROTOCOL_VERSION}")))
+        except BaseException as error:
+            await connection.close()
+            if isinstance(error, TimeoutError):
+                raise NoServer(f"{address} did not answer the handshake within {WELCOME_SECONDS:g} s") from error
+            raise
+        connection.control_frame = welcome.limits.control_frame or connection.control_frame
+        return cls(connection, welcome)
+
+    async def close(self) -> None:
+        await self._connection.close()
+
+    async def _ask(self, body, name: str, answer: str):
+        with Exchange(self._connection) as exchange:
+            await exchange.send(body, name)
+            return await exchange.receive(answer)
+
+    async def info(self) -> session_pb2.Info:
+        """What the server can do, and how it is."""
+        return await self._ask(session_pb2.GetInfo(), "get_info", "info")
+
+    async def jobs(self, mine: bool = False) -> list[jobs_pb2.JobSummary]:
+        """All that the server shows, oldest first; `mine`: an admin's own alone."""
+        found: list[jobs_pb2.JobSummary] = []
+        while True:
+            last = found[-1].job_id if found else 0
+            page = await self._ask(jobs_pb2.ListJobs(mine=mine, after=last), "list_jobs", "job_list")
+            found += page.job
+            if not page.more or not page.job or page.job[-1].job_id <= last:  # numbers rise, or it would have no end
+                return found
+
+    async def cancel(self, job_id: int) -> jobs_pb2.JobSummary:
+        """Ends a job and drops what it rendered. NotFound; StateError: it has ended."""
+        return await self._ask(jobs_pb2.Cancel(job_id=job_id), "cancel", "job_summary")
+
+    async def pause(self, job_id: int) -> jobs_pb2.JobSummary:
+        """Stops a job and keeps its tiles. NotFound, StateError, LimitError."""
+        return await self._ask(jobs_pb2.Pause(job_id=job_id), "pause", "job_summary")
+
+    async def resume(self, job_id: int) -> jobs_pb2.JobSummary:
+        """Goes on with a paused job. NotFound, StateError."""
+        return await self._ask(jobs_pb2.Resume(job_id=job_id), "resume", "job_summary")
+
+    async def priority(self, job_id: int, priority: int) -> jobs_pb2.JobSummary:
+        """-100 to 100: higher first among the user's own jobs. NotFound, StateError, LimitError."""
+        return await self._ask(jobs_pb2.Prioritize(job_id=job_id, priority=priority), "prioritize", "job_summary")
+
+    async def submit(self, scene: SceneLike, *, name: str = "", check_only: bool = False, explain: bool = False,
+                     keep_factors: bool = False, prepare: bool = False, priority: int = 0,
+                     client_key: bytes | None = None) -> int:
+        """Sends what the server lacks, then the job; gives its number. The options are those of jobs.proto's Submit. The
+        same scene under the same `client_key` (16 to 32 bytes; None: random) is one job, however often it is sent:
+        after Disconnected it can be sent again. InputError has all files that are wrong."""
+        submission = await asyncio.to_thread(lambda: make_submission(as_scene(scene)))
+        await self._send_missing(submission)
+        request = jobs_pb2.Submit(
+            name=name or submission.name, scene_sha256=submission.scene.sha256, asset=submission.names(),
+            check_only=check_only, explain=explain, keep_factors=keep_factors, backend=submission.backend,
+            prepare=prepare, priority=priority, client_key=os.urandom(16) if client_key is None else client_key)
+        return (await self._ask(request, "submit", "submitted")).job_id
+
+    async def watch(self, job_id: int, from_sequence: int = 0, *, tiles: bool = True, previews: bool = False,
+                    factors: bool = False) -> AsyncIterator[Event]:
+        """A job's events from that number on (0: all), until its last. It can be left early: contextlib.aclosing tells
+        the server at once. NotFound; LimitError: too many watches; Closing."""
+        ended = False
+        request = jobs_pb2.Watch(job_id=job_id, from_sequence=from_sequence, tiles=tiles, previews=previews,
+                                 factors=factors)
+        with Exchange(self._connection) as exchange:
+            await exchange.send(request, "watch")
+            try:
+                while not ended:
+                    event = make_event(await exchange.receive("job_event"))
+                    ended = event is not None and event.is_last
+                    if event is not None:
+                        yield event
+            except (Disconnected, ProtocolError):
+                ended = True
+                raise
+            finally:
+                if not ended and not self._connection.lost:
+                    # Nobody waits for the answer: the next request is read after this one.
+                    with Exchange(self._connection) as leaving:
+                        await leaving.send(jobs_pb2.Unwatch(watch=exchange.id), "unwatch")
+
+    async def picture(self, job_id: int) -> Picture:
+        """Waits for a job and gives its picture. JobFailed, JobCancelled, NotFound; InputError: a check_only job."""
+        film: Film | None = None
+        async with aclosing(self.watch(job_id)) as events:
+            async for event in events:
+                if event.kind == "planned":
+                    plan, film = event.body.plan, Film(event.body.plan.width, event.body.plan.height)
+                elif isinstance(event.body, Tile):
+                    if film is None:
+                        raise ProtocolError("a tile came before the plan")
+                    film.put(event.body)
+                elif event.is_last:
+                    finished = self._finished(event)
+        if film is None or film.missing:
+            raise InputError(f"job {job_id} has no picture")
+        return Picture(job_id, film.xyz, plan, finished.timing, finished.accuracy if finished.HasField("accuracy") else None)
+
+    async def render(self, scene: SceneLike, **options) -> Picture:
+        """submit() and picture(); a job that nobody waits for any more is cancelled."""
+        job_id = await self.submit(scene, **options)
+        try:
+            return await self.picture(job_id)
+        except asyncio.CancelledError:
+            await asyncio.shield(self.cancel(job_id))
+            raise
+
+    @staticmethod
+    def _finished(event: Event) -> jobs_pb2.Finished:
+        if event.kind == "failed":
+            raise JobFailed(event.job_id, event.body)
+        if event.kind == "cancelled":
+            raise JobCancelled(f"job {event.job_id} was cancelled")
+        return event.body
+
+    async def _send_missing(self, submission: Submission) -> None:
+        assets = {asset.sha256: asset for asset in (submission.scene, *submission.files)}
+        limits = self.welcome.limits
+        if len(assets) > limits.assets_per_job:
+            raise InputError(f"the scene and its files are {len(assets)} assets; the server takes {limits.assets_per_job}")
+        digests, missing = list(assets), []
+        for at in range(0, len(digests), _DIGESTS_AT_ONCE):
+            offer = assets_pb2.OfferAssets(sha256=digests[at : at + _DIGESTS_AT_ONCE])
+            missing += (await self._ask(offer, "offer_assets", "missing_assets")).sha256
+        for digest in missing:
+            if digest not in assets:
+                raise ProtocolError("the server misses an asset that was not offered")
+            await self._send(assets[digest])
+
+    async def _send(self, asset: Asset) -> None:
+        limits = self.welcome.limits
+        if asset.size > limits.asset:
+            raise InputError(f"{asset.name} has {asset.size} bytes; the server takes {limits.asset}")
+        offset = 0
+        with Exchange(self._connection) as exchange:
+            for piece in asset.pieces(min(max(limits.chunk, 1), 4 << 20)):
+                if exchange.has_answer:  # so early it can only be a refusal
+                    break
+                chunk = assets_pb2.AssetChunk(sha256=asset.sha256, size=asset.size, offset=offset, data=piece)
+                await exchange.send(chunk, "asset_chunk")
+                offset += len(piece)
+            await exchange.receive("asset_stored")
