@@ -12,14 +12,18 @@ The same for asyncio is metamer.aio. Names are those of the wire, the scene file
 from metamer import aio
 from metamer.blocking import Server, connect, local
 from metamer.credentials import Credentials
+from metamer.delta_e import delta_e_00, delta_e_ab, lab
 from metamer.errors import (Disconnected, InputError, JobCancelled, JobFailed, MetamerError, NoServer, ProtocolError,
                             ServerError, ViewClosed)
 from metamer.events import Event, Preview, Tile
+from metamer.factors import Factors, read_factors
 from metamer.picture import Picture, save_png
 from metamer.scene import Scene
 from metamer.session import Session
+from metamer.spectra import SceneSpectra, Spectrum, xyz_of
 from metamer.srgb import linear_srgb, to_srgb
 
-__all__ = ["Credentials", "Disconnected", "Event", "InputError", "JobCancelled", "JobFailed", "MetamerError", "NoServer",
-           "Picture", "Preview", "ProtocolError", "Scene", "Server", "ServerError", "Session", "Tile", "ViewClosed",
-           "aio", "connect", "linear_srgb", "local", "save_png", "to_srgb"]
+__all__ = ["Credentials", "Disconnected", "Event", "Factors", "InputError", "JobCancelled", "JobFailed", "MetamerError",
+           "NoServer", "Picture", "Preview", "ProtocolError", "Scene", "SceneSpectra", "Server", "ServerError", "Session",
+           "Spectrum", "Tile", "ViewClosed", "aio", "connect", "delta_e_00", "delta_e_ab", "lab", "linear_srgb", "local",
+           "read_factors", "save_png", "to_srgb", "xyz_of"]

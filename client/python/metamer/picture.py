@@ -9,6 +9,7 @@ import numpy as np
 
 from metamer.errors import ProtocolError
 from metamer.events import Tile
+from metamer.factors import Factors
 from metamer.srgb import to_srgb
 from metamer.v1 import plan_pb2
 
@@ -42,13 +43,15 @@ class Film:
 @dataclass(frozen=True)
 class Picture:
     """`xyz`: (height, width, 3) float32, Y = 1 is the luminance of a perfect white that faces a light of luminance 1.
-    `accuracy`: of a job that promised or verified something, else None."""
+    `accuracy`: of a job that promised or verified something, else None. `factors`: for relighting; None where they were
+    not kept, not asked for, or more than the server keeps."""
 
     job_id: int
     xyz: np.ndarray
     plan: plan_pb2.Plan
     timing: plan_pb2.Timing
     accuracy: plan_pb2.Accuracy | None = None
+    factors: Factors | None = None
 
     def srgb(self, exposure: float = 1.0) -> np.ndarray:
         """(height, width, 3) uint8; see metamer.srgb."""

@@ -6,18 +6,22 @@ from contextlib import aclosing
 
 from metamer.address import parse_address
 from metamer.credentials import Credentials, kept_credentials
-from metamer.errors import Disconnected, InputError, JobCancelled, JobFailed, NoServer, ProtocolError, VersionError
+from metamer.assembly import Assembly, finished_of
+from metamer.errors import Disconnected, InputError, NoServer, ProtocolError, VersionError
 from metamer.events import Event, Tile, make_event
 from metamer.exchange import Connection, Exchange
-from metamer.picture import Film, Picture
+from metamer.picture import Picture
 from metamer.reach import reach
 from metamer.scene import Asset, Scene, Submission, as_scene, make_submission
-from metamer.v1 import assets_pb2, jobs_pb2, session_pb2
+from metamer.spectra import SceneSpectra, Spectrum
+from metamer.v1 import assets_pb2, factors_pb2, jobs_pb2, plan_pb2, session_pb2
 
 PROTOCOL_VERSION = 1
 CLIENT = "metamer-python 0.1.0"
 WELCOME_SECONDS = 15.0  # a server may wait 5 s for its first worker, on a loaded machine twice that
 _DIGESTS_AT_ONCE = 4096
+_ONE_LIGHT = """camera { eye { z: 1 } target {} } light { name: "light" direction { z: -1 } spectrum {} } material { name: "m" }
+object { name: "o" material: "m" sphere { center {} radius: 0.1 } } settings { width: 8 height: 8 }"""
 SceneLike = Scene | str | os.PathLike[str]
 
 
@@ -130,39 +134,62 @@ class Session:
                     with Exchange(self._connection) as leaving:
                         await leaving.send(jobs_pb2.Unwatch(watch=exchange.id), "unwatch")
 
-    async def picture(self, job_id: int) -> Picture:
-        """Waits for a job and gives its picture. JobFailed, JobCancelled, NotFound; InputError: a check_only job."""
-        film: Film | None = None
-        async with aclosing(self.watch(job_id)) as events:
+    async def picture(self, job_id: int, *, factors: bool = False) -> Picture:
+        """Waits for a job and gives its picture; with its `factors`, where it keeps them. JobFailed, JobCancelled,
+        NotFound; InputError: a check_only job."""
+        assembly: Assembly | None = None
+        async with aclosing(self.watch(job_id, factors=factors)) as events:
             async for event in events:
                 if event.kind == "planned":
-                    plan, film = event.body.plan, Film(event.body.plan.width, event.body.plan.height)
+                    assembly = Assembly(event.body)
                 elif isinstance(event.body, Tile):
-                    if film is None:
+                    if assembly is None:
                         raise ProtocolError("a tile came before the plan")
-                    film.put(event.body)
+                    assembly.put(event.body)
                 elif event.is_last:
-                    finished = self._finished(event)
-        if film is None or film.missing:
+                    finished = finished_of(event)
+        if assembly is None or assembly.film.missing:
             raise InputError(f"job {job_id} has no picture")
-        return Picture(job_id, film.xyz, plan, finished.timing, finished.accuracy if finished.HasField("accuracy") else None)
+        return assembly.picture(job_id, finished)
 
-    async def render(self, scene: SceneLike, **options) -> Picture:
+    async def render(self, scene: SceneLike, *, keep_factors: bool = False, **options) -> Picture:
         """submit() and picture(); a job that nobody waits for any more is cancelled."""
-        job_id = await self.submit(scene, **options)
+        job_id = await self.submit(scene, keep_factors=keep_factors, **options)
         try:
-            return await self.picture(job_id)
+            return await self.picture(job_id, factors=keep_factors)
         except asyncio.CancelledError:
             await asyncio.shield(self.cancel(job_id))
             raise
 
-    @staticmethod
-    def _finished(event: Event) -> jobs_pb2.Finished:
-        if event.kind == "failed":
-            raise JobFailed(event.job_id, event.body)
-        if event.kind == "cancelled":
-            raise JobCancelled(f"job {event.job_id} was cancelled")
-        return event.body
+    async def _planned(self, scene: SceneLike, **options) -> jobs_pb2.Planned:
+        """What a job that is only checked says."""
+        job_id = await self.submit(scene, check_only=True, **options)
+        async with aclosing(self.watch(job_id, tiles=False, factors=True)) as events:
+            async for event in events:
+                if event.kind == "planned":
+                    planned = event.body
+                elif event.is_last:
+                    finished_of(event)
+        return planned
+
+    async def check(self, scene: SceneLike) -> plan_pb2.Plan:
+        """What would be rendered, with the plan's notices. JobFailed has all problems of the scene."""
+        return (await self._planned(scene)).plan
+
+    async def explain(self, scene: SceneLike) -> plan_pb2.Plan:
+        """The same, and what each method would cost and miss: plan.prediction, plan.need, plan.unneeded."""
+        return (await self._planned(scene, explain=True)).plan
+
+    async def spectra(self, scene: SceneLike) -> SceneSpectra:
+        """A scene's spectra and observer as the renderer has them; nothing is rendered. JobFailed as by check()."""
+        planned = await self._planned(scene, keep_factors=True)
+        return SceneSpectra.from_message(factors_pb2.SceneFactors.FromString(planned.factors))
+
+    async def spectrum(self, word: str) -> Spectrum:
+        """A light by the schema's word: "D65", "F11", "D:6504K", "2856K". JobFailed: no such word."""
+        scene = Scene.parse(_ONE_LIGHT, name=word)
+        scene.message.light[0].spectrum.standard = word
+        return (await self.spectra(scene)).lights["light"]
 
     async def _send_missing(self, submission: Submission) -> None:
         assets = {asset.sha256: asset for asset in (submission.scene, *submission.files)}
