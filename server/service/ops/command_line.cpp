@@ -150,15 +150,23 @@ Problems contradictions(const Settings& settings) {
 }
 
 std::vector<std::string> cautions(const Settings& settings) {
+  std::vector<std::string> found;
   const std::filesystem::path& key = settings.service.listening.tls.key;
   struct stat status {};
-  if (key.empty() || ::stat(key.c_str(), &status) != 0 ||
-      (status.st_mode & readable_by_others) == 0)
-    return {};
-  return {
-      fmt::format("tls-key: {} may be read by others than its owner (mode {:04o}), and whoever "
-                  "has it can pass for this server: chmod 400",
-                  key.string(), status.st_mode & 07777)};
+  if (!key.empty() && ::stat(key.c_str(), &status) == 0 && (status.st_mode & readable_by_others))
+    found.push_back(
+        fmt::format("tls-key: {} may be read by others than its owner (mode {:04o}), and whoever "
+                    "has it can pass for this server: chmod 400",
+                    key.string(), status.st_mode & 07777));
+  const std::uint64_t most = settings.service.store_bytes + settings.service.keep_bytes;
+  std::error_code unknown;
+  const auto disk = std::filesystem::space(settings.state, unknown);
+  if (!settings.state.empty() && !unknown && disk.capacity < most)
+    found.push_back(fmt::format(
+        "store-bytes and keep-bytes come to {} MiB, and the disk of {} has {} MiB: once it is "
+        "full, jobs are refused before old files make room",
+        most >> 20, settings.state, disk.capacity >> 20));
+  return found;
 }
 
 }  // namespace metamer::service

@@ -37,7 +37,8 @@ tl::expected<Settings, Problems> settings_of(const CommandLine& line);
 /// not looked up, so that one which leads beyond this machine is found when it is listened on.
 Problems contradictions(const Settings& settings);
 
-/// What can be carried out and is hardly meant: a key that others than its owner may read.
+/// What can be carried out and is hardly meant: a key that others than its owner may read, a disk
+/// of the state that is smaller than what may come to lie there.
 std::vector<std::string> cautions(const Settings& settings);
 
 }  // namespace metamer::service

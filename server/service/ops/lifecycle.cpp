@@ -15,6 +15,8 @@ namespace {
 constexpr std::chrono::milliseconds state_interval{5000};
 /// What Prometheus asks for by itself unless told otherwise is a minute.
 constexpr std::chrono::seconds metrics_interval{15};
+/// To end workers and to write what is still to be kept; killed for slowness it would lose no job.
+constexpr std::chrono::milliseconds ending_time{10'000};
 
 }  // namespace
 
@@ -69,13 +71,13 @@ void Lifecycle::on_signal() {
 void Lifecycle::drain(int signal) {
   spdlog::info("ending for signal {}", signal);
   draining_ = true;
-  notify::stopping();
+  notify::stopping(settings_.drain_time + ending_time);
   asio::co_spawn(context_, service_.drain(settings_.drain_time),
                  [this](const std::exception_ptr&) { end(); });
 }
 
 void Lifecycle::end() {
-  notify::stopping();
+  notify::stopping(ending_time);
   boost::system::error_code ignored;
   signals_.cancel(ignored);
   beat_.cancel();

@@ -23,7 +23,10 @@ void reloading() {
   ::sd_notify(0, ("RELOADING=1\nMONOTONIC_USEC=" + std::to_string(microseconds)).c_str());
 }
 
-void stopping() { ::sd_notify(0, "STOPPING=1"); }
+void stopping(std::chrono::milliseconds at_most) {
+  const auto microseconds = std::chrono::microseconds(at_most).count();
+  ::sd_notify(0, ("STOPPING=1\nEXTEND_TIMEOUT_USEC=" + std::to_string(microseconds)).c_str());
+}
 
 void status(const std::string& line) { ::sd_notify(0, ("STATUS=" + printable(line)).c_str()); }
 

@@ -11,7 +11,8 @@ namespace metamer::service::notify {
 
 void ready();
 void reloading();
-void stopping();
+/// It ends, which takes no longer: it is waited for, though a unit's TimeoutStopSec be shorter.
+void stopping(std::chrono::milliseconds at_most);
 /// A line for `systemctl status`, printable.
 void status(const std::string& line);
 

@@ -193,7 +193,7 @@ TEST_F(Lifetime, TheServiceManagerHearsOfEachStep) {
   EXPECT_TRUE(manager.hears("RELOADING=1\nMONOTONIC_USEC="));
   EXPECT_TRUE(manager.hears("READY=1"));
   program.signal(SIGTERM);
-  EXPECT_TRUE(manager.hears("STOPPING=1"));
+  EXPECT_TRUE(manager.hears("STOPPING=1\nEXTEND_TIMEOUT_USEC=20000000"));  // 10 s of drain-seconds
   EXPECT_EQ(program.wait(), 0);
 }
 

@@ -271,4 +271,16 @@ TEST_F(Metamerd, AKeyThatOthersMayReadIsToldOf) {
   }
 }
 
+TEST_F(Metamerd, ADiskThatIsSmallerThanWhatMayLieThereIsToldOf) {
+  const std::string file = (folder_.path() / "m.toml").string();
+  for (const auto& [bytes, told] : {std::pair("1MiB", false), std::pair("1PiB", true)}) {
+    std::ofstream(file) << "[store]\nstate = " << folder_.path() << "\nkeep-bytes = \"1MiB\"\n"
+                        << "store-bytes = \"" << bytes << "\"\n";
+    Program program(folder_.path(), {"--check-config", file});
+    EXPECT_EQ(program.wait(), 0) << program.log();
+    EXPECT_EQ(program.log().find("store-bytes and keep-bytes come to") != std::string::npos, told)
+        << program.log();
+  }
+}
+
 }  // namespace metamer::service::test
