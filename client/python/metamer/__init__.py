@@ -22,8 +22,10 @@ from metamer.scene import Scene
 from metamer.session import Session
 from metamer.spectra import SceneSpectra, Spectrum, xyz_of
 from metamer.srgb import linear_srgb, to_srgb
+from metamer.sweep import set_field, variants
+from metamer.view import Frame, View
 
-__all__ = ["Credentials", "Disconnected", "Event", "Factors", "InputError", "JobCancelled", "JobFailed", "MetamerError",
+__all__ = ["Credentials", "Disconnected", "Event", "Factors", "Frame", "InputError", "JobCancelled", "JobFailed", "MetamerError",
            "NoServer", "Picture", "Preview", "ProtocolError", "Scene", "SceneSpectra", "Server", "ServerError", "Session",
-           "Spectrum", "Tile", "ViewClosed", "aio", "connect", "delta_e_00", "delta_e_ab", "lab", "linear_srgb", "local",
-           "read_factors", "save_png", "to_srgb", "xyz_of"]
+           "Spectrum", "Tile", "View", "ViewClosed", "aio", "connect", "delta_e_00", "delta_e_ab", "lab", "linear_srgb", "local",
+           "read_factors", "save_png", "set_field", "to_srgb", "variants", "xyz_of"]

@@ -17,6 +17,8 @@ from typing import Any, TypeVar
 from metamer import aio
 from metamer.credentials import Credentials
 from metamer.session import Session
+from metamer.v1 import plan_pb2
+from metamer.view import View
 
 T = TypeVar("T")
 
@@ -56,7 +58,8 @@ def _calls_of(target: type) -> Callable[[type], type]:
 
         @functools.wraps(function)
         def waits(self: Waiting, *arguments: Any, **named: Any) -> Any:
-            return step(self, getattr(self._target, name)(*arguments, **named))
+            result = step(self, getattr(self._target, name)(*arguments, **named))
+            return WaitingView(self._loop, result) if isinstance(result, View) else result
 
         return waits
 
@@ -68,6 +71,21 @@ def _calls_of(target: type) -> Callable[[type], type]:
         return to
 
     return add
+
+
+@_calls_of(View)
+class WaitingView(Waiting):
+    """A view that waits: all calls of View, under the same names and with the same arguments."""
+
+    def __enter__(self) -> "WaitingView":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    @property
+    def plan(self) -> plan_pb2.Plan:
+        return self._target.plan
 
 
 @_calls_of(Session)

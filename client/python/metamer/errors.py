@@ -59,7 +59,12 @@ class JobCancelled(MetamerError):
 
 
 class ViewClosed(MetamerError):
-    """The server ended a view, with its reason."""
+    """A view ended: `kind` as JobFailed has it ("UNSPECIFIED": it was closed), its reason, `problems`."""
+
+    def __init__(self, failed: jobs_pb2.Failed) -> None:
+        self.kind = jobs_pb2.Failed.Kind.Name(failed.kind)
+        self.problems = list(failed.problem)
+        super().__init__(_with_problems(failed.reason or "the view was closed", self.problems))
 
 
 class ServerError(MetamerError):

@@ -57,6 +57,43 @@ class Scene:
         message.CopyFrom(self.message)
         return Scene(message, self.folder, self.name)
 
+    def with_look(self, name: str) -> "Scene":
+        """A copy with one of its looks applied. InputError: it has none of that name, or the look names what is not
+        there."""
+        made = self.copy()
+        for look in self.message.look:
+            if look.name == name:
+                apply_look(made.message, look)
+                return made
+        raise InputError(f'{self.name} has no look "{name}"; it has {", ".join(look.name for look in self.message.look)}')
+
+
+def apply_look(scene: scene_pb2.Scene, look: scene_pb2.Look) -> None:
+    """What a look leaves out stays as it is."""
+    for change in look.light:
+        named = [light for light in scene.light if change.name in ("*", light.name)]
+        if not named:
+            raise InputError(f'look "{look.name}" names the light "{change.name}", which is not there')
+        for light in named:
+            if change.HasField("spectrum"):
+                light.spectrum.CopyFrom(change.spectrum)
+            if change.HasField("luminance"):
+                light.luminance = change.luminance
+    for change in look.material:
+        named = [material for material in scene.material if material.name == change.name]
+        if not named:
+            raise InputError(f'look "{look.name}" names the material "{change.name}", which is not there')
+        for part in ("diffuse", "specular"):
+            if change.HasField(part):
+                getattr(named[0], part).CopyFrom(getattr(change, part))
+    if look.HasField("observer") or look.observer_file:
+        scene.settings.observer, scene.settings.observer_file = look.observer, look.observer_file
+    if look.development.WhichOneof("space"):
+        scene.settings.development.ClearField(scene.settings.development.WhichOneof("space") or "rgb_space")
+    scene.settings.development.MergeFrom(look.development)
+    if look.HasField("camera"):
+        scene.camera.CopyFrom(look.camera)
+
 
 def as_scene(scene: "Scene | str | os.PathLike[str]") -> Scene:
     return scene if isinstance(scene, Scene) else Scene.read(scene)

@@ -1,7 +1,7 @@
 """A session with a server, for asyncio: handshake, requests, jobs. Names are those of the wire and the command line."""
 import asyncio
 import os
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable, Mapping, Sequence
 from contextlib import aclosing
 
 from metamer.address import parse_address
@@ -14,12 +14,15 @@ from metamer.picture import Picture
 from metamer.reach import reach
 from metamer.scene import Asset, Scene, Submission, as_scene, make_submission
 from metamer.spectra import SceneSpectra, Spectrum
+from metamer.sweep import Value, variants
 from metamer.v1 import assets_pb2, factors_pb2, jobs_pb2, plan_pb2, session_pb2
+from metamer.view import View, open_view
 
 PROTOCOL_VERSION = 1
 CLIENT = "metamer-python 0.1.0"
 WELCOME_SECONDS = 15.0  # a server may wait 5 s for its first worker, on a loaded machine twice that
 _DIGESTS_AT_ONCE = 4096
+_JOBS_AT_ONCE = 8  # of a sweep: half the watches that a session may have
 _ONE_LIGHT = """camera { eye { z: 1 } target {} } light { name: "light" direction { z: -1 } spectrum {} } material { name: "m" }
 object { name: "o" material: "m" sphere { center {} radius: 0.1 } } settings { width: 8 height: 8 }"""
 SceneLike = Scene | str | os.PathLike[str]
@@ -190,6 +193,33 @@ class Session:
         scene = Scene.parse(_ONE_LIGHT, name=word)
         scene.message.light[0].spectrum.standard = word
         return (await self.spectra(scene)).lights["light"]
+
+    async def open_view(self, scene: SceneLike) -> View:
+        """A scene to look at and change: async with await session.open_view(…) as view. InputError has the problems of a
+        scene that is wrong; LimitError: too many views."""
+        submission = await asyncio.to_thread(lambda: make_submission(as_scene(scene)))
+        await self._send_missing(submission)
+        return await open_view(self._connection, submission.scene.sha256, submission.names(), submission.backend)
+
+    async def sweep(self, scene: SceneLike, parameters: Mapping[str, Sequence[Value]],
+                    measure: Callable[[Picture], Mapping[str, object]] | None = None, **options) -> list[dict[str, object]]:
+        """Renders a scene with all combinations of values, by the paths of fields (see metamer.sweep). A row for each: the
+        values, `job_id`, `seconds` of rendering, and what `measure` says of the picture. `options`: those of render().
+        The first that fails ends all."""
+        places = asyncio.Semaphore(_JOBS_AT_ONCE)
+
+        async def row(values: dict[str, Value], variant: Scene) -> dict[str, object]:
+            async with places:
+                picture = await self.render(variant, **options)
+            measured = measure(picture) if measure else {}
+            return {**values, "job_id": picture.job_id, "seconds": picture.timing.render, **measured}
+
+        try:
+            async with asyncio.TaskGroup() as group:
+                rows = [group.create_task(row(*made)) for made in variants(as_scene(scene), parameters)]
+        except ExceptionGroup as failed:
+            raise failed.exceptions[0] from None
+        return [task.result() for task in rows]
 
     async def _send_missing(self, submission: Submission) -> None:
         assets = {asset.sha256: asset for asset in (submission.scene, *submission.files)}
