@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <limits>
+#include <new>
 
 #include "server/cpu/shared_source.h"
 #include "server/scene/placement.h"
@@ -80,12 +81,18 @@ void for_all(std::size_t count, Each each) {
                     });
 }
 
+/// Embree says that it got no memory by a code, and goes on with what it has.
+void throw_if_out_of_memory(RTCDevice device) {
+  if (rtcGetDeviceError(device) == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+}
+
 RTCGeometry triangles(RTCDevice device, const TriangleMesh& mesh, const Eigen::Vector3d& center,
                       const Eigen::Affine3d& place) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* vertices = static_cast<Float3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
                                                                 RTC_FORMAT_FLOAT3, sizeof(Float3),
                                                                 mesh.positions.size()));
+  if (vertices == nullptr) throw std::bad_alloc();
   for_all(mesh.positions.size(), [&](std::size_t i) {
     vertices[i] = to_array(place * (to_vector(mesh.positions[i]) - center));
   });
@@ -172,6 +179,7 @@ std::optional<EmbreeScene> EmbreeScene::build(const RenderScene& scene,
   }
   rtcJoinCommitScene(result.scene_.get());
   if (cancelled) return std::nullopt;
+  throw_if_out_of_memory(device);
   return result;
 }
 

@@ -119,7 +119,8 @@ int refuse_all(const Filter& filter, Names names) {
   return error;
 }
 
-/// Signals but to itself: abort() needs that. And processes but threads.
+/// Signals but to itself: abort() needs that. And processes but threads; and limits of its own,
+/// which others set: an importer's readers begin with theirs.
 int refuse_children(const Filter& filter) {
   const auto no = SCMP_ACT_ERRNO(EPERM);
   const auto self = static_cast<scmp_datum_t>(getpid());
@@ -130,7 +131,8 @@ int refuse_children(const Filter& filter) {
         refuse(filter, "vfork", no),
         refuse(filter, "clone", no, SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_THREAD, 0)),
         // Its flags lie in memory, where no filter looks: the C library takes clone then.
-        refuse(filter, "clone3", SCMP_ACT_ERRNO(ENOSYS))})
+        refuse(filter, "clone3", SCMP_ACT_ERRNO(ENOSYS)), refuse(filter, "setrlimit", no),
+        refuse(filter, "prlimit64", no, SCMP_A2(SCMP_CMP_NE, 0))})
     if (refused != 0) error = refused;
   return error;
 }
@@ -144,7 +146,7 @@ int refuse_system_calls(Children children) {
   for (const Names names : {programs, sockets, changes_of_files, other_processes,
                             signals_with_values, shared_with_others, identities, machine})
     if (error == 0) error = refuse_all(filter, names);
-  // Another process's limits; its own are to be lowered.
+  // Another process's limits, even to read.
   if (error == 0)
     error = refuse(filter, "prlimit64", SCMP_ACT_ERRNO(EPERM), SCMP_A0(SCMP_CMP_NE, 0));
   if (error == 0 && children == Children::none) error = refuse_children(filter);

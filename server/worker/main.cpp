@@ -17,6 +17,7 @@
 #include "server/worker/capabilities.h"
 #include "server/worker/heartbeat.h"
 #include "server/worker/lane.h"
+#include "server/worker/out_of_memory.h"
 
 namespace {
 
@@ -65,6 +66,7 @@ int run(metamer::worker::WorkerOptions options, const std::string& gl_device, bo
     return 1;
   }
   options.importer = importer.get();
+  metamer::worker::end_when_out_of_memory();
   metamer::worker::Link link(link_descriptor);
   std::unique_ptr<metamer::gl::Device> device;
   std::unique_ptr<metamer::Backend> backend;

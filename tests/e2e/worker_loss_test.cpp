@@ -1,6 +1,7 @@
 // A lost worker is the daemon's everyday business: it says so, goes on, and loses no pixel.
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <atomic>
@@ -21,13 +22,32 @@ TEST(Worker, IsConfinedAndHasNothingOfTheDaemonsEnvironment) {
   const std::string sandbox = daemon.json({"info"})["info"]["worker"][0]["sandbox"];
   if (sandbox.find("landlock:") != sandbox.npos) GTEST_SKIP() << sandbox;
   EXPECT_TRUE(sandbox.starts_with("landlock ")) << sandbox;
-  EXPECT_TRUE(sandbox.ends_with(", seccomp")) << sandbox;
+  EXPECT_NE(sandbox.find(", seccomp; memory: "), sandbox.npos) << sandbox;
   std::ifstream file("/proc/" + std::to_string(daemon.worker_pid()) + "/environ");
   std::string environment{std::istreambuf_iterator<char>(file), {}};
   std::replace(environment.begin(), environment.end(), '\0', ',');
   EXPECT_TRUE(file.is_open());
   EXPECT_EQ(environment.find("SECRET"), environment.npos);
   EXPECT_EQ(("," + environment).find(",PATH="), std::string::npos);
+}
+
+TEST(Worker, IsHeldToTheMemoryOfItsJobWhileItHasOne) {
+  const Daemon daemon(Daemon::Listens::unix_socket, {"--memory", "16GiB"});
+  const std::string sandbox = daemon.json({"info"})["info"]["worker"][0]["sandbox"];
+  if (!sandbox.ends_with("; memory: limited for each job")) GTEST_SKIP() << sandbox;
+  const pid_t worker = daemon.worker_pid();
+  const auto limit = [&] {
+    rlimit now{};
+    EXPECT_EQ(prlimit(worker, RLIMIT_DATA, nullptr, &now), 0);
+    return now.rlim_cur >> 20;
+  };
+  EXPECT_GE(limit(), 16u << 10);
+  RunningJob job(daemon);
+  EXPECT_LT(limit(), 4u << 10);
+  EXPECT_EQ(daemon.metamer({"cancel", job.id()}).code, 0);
+  EXPECT_EQ(job.end().code, 5);
+  // Another worker has it where the one from before was too slow to stop.
+  if (daemon.worker_pid() == worker) EXPECT_GE(limit(), 16u << 10);
 }
 
 struct Loss {

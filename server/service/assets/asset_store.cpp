@@ -216,10 +216,13 @@ void AssetHolds::clear() {
 
 std::uint64_t AssetHolds::bytes() const {
   std::uint64_t sum = 0;
-  for (const Digest& digest : held_)
-    if (const auto asset = store_->assets_.find(digest); asset != store_->assets_.end())
-      sum += asset->second.size;
+  for (const Digest& digest : held_) sum += bytes_of(digest);
   return sum;
+}
+
+std::uint64_t AssetHolds::bytes_of(const Digest& digest) const {
+  const auto asset = store_->assets_.find(digest);
+  return held_.contains(digest) && asset != store_->assets_.end() ? asset->second.size : 0;
 }
 
 std::optional<Digest> AssetHolds::damaged() const {

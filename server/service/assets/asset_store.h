@@ -109,6 +109,8 @@ class AssetHolds {
   std::size_t size() const { return held_.size(); }
   /// Of all of them.
   std::uint64_t bytes() const;
+  /// Of one; 0 where it is not held.
+  std::uint64_t bytes_of(const Digest& digest) const;
 
  private:
   std::shared_ptr<AssetStore> store_;

@@ -12,15 +12,6 @@ namespace metamer::service {
 
 namespace {
 
-/// What the log says of a job.
-LogFields fields_of(const Job& job) {
-  return {.user = job.owner() ? job.owner()->name : std::string(), .job = job.id()};
-}
-
-constexpr std::chrono::milliseconds last_backoff{5000};
-/// So many failed starts in a row are no accident: whoever waits is told.
-constexpr std::uint32_t hopeless_starts = 3;
-
 /// A turn lasts so many times what it takes to begin one: at most a twentieth is lost by that.
 constexpr int begin_share = 20;
 
@@ -88,81 +79,6 @@ void Supervisor::start_worker() {
   watch();
 }
 
-void Supervisor::on_exit(const std::string& reason) {
-  if (state_ == State::stopped) return;
-  ++losses_;
-  LogFields fields = has_job() ? fields_of(*job_) : LogFields{};
-  fields.reason = reason + (obstacle_.empty() ? "" : ": ") + obstacle_;
-  log_line(spdlog::level::warn, fields, fmt::format("the {} worker is gone", options_.lane.name));
-  overdue_.cancel();
-  worker_.reset();
-  if (!obstacle_.empty()) return give_up();
-  last_exit_ = reason;
-  says_busy_ = false;
-  const State before = std::exchange(state_, State::down);
-  start_was_tried_ = true;
-  capabilities_signal_.cancel();
-
-  // Settle what becomes of its job, and wait before another start only where starting itself fails.
-  charge_job();
-  yields_ = false;
-  if (before == State::compiling || before == State::rendering) lose_job(reason);
-  job_.reset();
-  if (before != State::starting) end_views("the worker was lost: " + reason);
-  if (before != State::starting && before != State::idle) return start_worker();
-  if (++failed_starts_ >= hopeless_starts) {
-    end_views("no worker starts: " + reason);
-    if (options_.gives_up) fail_queue(reason);
-    hold_queue("no worker starts: " + reason);
-  }
-  if (is_wanted()) return start_again();
-  state_ = State::asleep;
-}
-
-void Supervisor::start_again() {
-  restart_.expires_after(backoff_);
-  backoff_ = std::min(last_backoff, 2 * backoff_);
-  restart_.async_wait([this](boost::system::error_code cancelled) {
-    // It may have run out just before it was cancelled.
-    if (!cancelled && state_ == State::down) start_worker();
-  });
-}
-
-/// A lane of views alone has none while nobody looks.
-bool Supervisor::is_wanted() const { return options_.lane.jobs || !views_.of(backend()).empty(); }
-
-/// Says why no worker can start, and tries anew when it is next asked for.
-void Supervisor::give_up() {
-  last_exit_ = std::exchange(obstacle_, {});
-  state_ = State::asleep;
-  start_was_tried_ = true;
-  capabilities_signal_.cancel();
-  fail_queue(last_exit_);
-}
-
-void Supervisor::lose_job(const std::string& reason) {
-  if (job_->retry("the worker was lost: " + reason)) return queue_.put_back(job_);
-  job_->fail(v1::Failed::WORKER,
-             fmt::format("the worker was lost {} times: {}", max_losses, reason));
-  queue_.ended(*job_);
-}
-
-void Supervisor::hold_queue(const std::string& reason) {
-  if (options_.lane.jobs) queue_.hold(backend(), reason);
-}
-
-void Supervisor::fail_queue(const std::string& reason) {
-  while (const auto job = options_.lane.jobs ? queue_.next(backend()) : nullptr) {
-    job->fail(v1::Failed::WORKER, "no worker starts: " + reason);
-    queue_.ended(*job);
-  }
-  end_views("no worker starts: " + reason);
-}
-
-void Supervisor::end_views(const std::string& reason) {
-  if (options_.lane.views) views_.end(backend(), reason);
-}
-
 // ---- Time
 
 void Supervisor::watch() {
@@ -220,7 +136,7 @@ void Supervisor::work() {
   if (state_ != State::idle) return;
   if (!take_job()) return;
   job_->start();
-  log_line(spdlog::level::info, fields_of(*job_),
+  log_line(spdlog::level::info, fields_of_job(),
            fmt::format("job {} ({}) started", job_->id(), job_->submit().name()));
 
   v1::WorkerEnvelope message;
@@ -235,6 +151,10 @@ void Supervisor::work() {
   state_ = State::compiling;
   last_progress_ = taken_ = charged_ = Clock::now();
   told_ = false;
+  stage_ = v1::Preparing::UNSPECIFIED;
+  ++worker_jobs_;
+  had_views_ = false;
+  limit_memory();
   watch();
   // Its attempt is on the disk before the worker hears of it: should it take the daemon along, that
   // counts.
@@ -294,7 +214,7 @@ void Supervisor::job_is_over() {
   charge_job();
   yields_ = false;
   if (job_->ended()) {
-    log_line(spdlog::level::info, fields_of(*job_),
+    log_line(spdlog::level::info, fields_of_job(),
              fmt::format("job {} {}", job_->id(), word(job_->state())));
     // The queue counted a cancelled job as ended already.
     if (job_->state() != v1::CANCELLED) queue_.ended(*job_);
@@ -302,6 +222,7 @@ void Supervisor::job_is_over() {
   job_.reset();
   worker_->release_film();
   state_ = State::idle;
+  limit_memory();
   watch();
   work();
 }
@@ -311,6 +232,7 @@ void Supervisor::job_is_over() {
 void Supervisor::open(const View& view) {
   // One that is not ready yet gets it with all others.
   if (state_ == State::asleep) return start_worker();
+  limit_memory();
   tell(view.opening());
 }
 
@@ -338,7 +260,7 @@ v1::WorkerInfo Supervisor::info() const {
   info.set_backend(options_.lane.name);
   info.set_starts(starts_);
   info.set_last_exit(last_exit_);
-  info.set_sandbox(sandbox_);
+  info.set_sandbox(sandbox_.empty() ? sandbox_ : sandbox_ + "; memory: " + memory_.describe());
   return info;
 }
 

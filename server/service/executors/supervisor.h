@@ -8,12 +8,15 @@
 
 #include "metamer/v1/session.pb.h"
 #include "server/service/executors/lane.h"
+#include "server/service/executors/memory_limit.h"
 #include "server/service/executors/worker_process.h"
 #include "server/service/jobs/job_queue.h"
 #include "server/service/limits.h"
 #include "server/service/views/views.h"
 
 namespace metamer::service {
+
+struct LogFields;
 
 /// Keeps a lane's worker running and gives it the queue's jobs for it, one at a time, and the
 /// views, where it is for these. A worker that dies, hangs or lies costs its job one attempt, ends
@@ -117,6 +120,11 @@ class Supervisor {
   void job_is_over();
   bool take_job();
   void lose_job(const std::string& reason);
+  void fail_job_for_memory();
+  /// Has the system hold the worker to what its job may take, or, without one, to what all may.
+  void limit_memory();
+  bool views_share_worker() const;
+  LogFields fields_of_job() const;  // what the log says of it, if there is one
   void hold_queue(const std::string& reason);
   void fail_queue(const std::string& reason);
   void end_views(const std::string& reason);
@@ -134,8 +142,12 @@ class Supervisor {
 
   State state_ = State::asleep;
   std::shared_ptr<WorkerProcess> worker_;
-  JobQueue::JobPtr job_;  // in compiling, rendering and stopping
-  bool told_ = false;     // the worker, of job_
+  JobQueue::JobPtr job_;                                     // in compiling, rendering and stopping
+  bool told_ = false;                                        // the worker, of job_
+  v1::Preparing::Stage stage_ = v1::Preparing::UNSPECIFIED;  // that it has come to
+  MemoryLimit memory_;
+  std::uint64_t worker_jobs_ = 0;  // that this worker has been given
+  bool had_views_ = false;         // since it was given the last
   std::uint64_t starts_of_jobs_ = 0;
   std::uint32_t starts_ = 0;
   std::uint32_t losses_ = 0;

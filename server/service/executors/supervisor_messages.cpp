@@ -72,8 +72,12 @@ void Supervisor::on_ready(v1::WorkerReady ready) {
   capabilities_ = std::move(*ready.mutable_capabilities());
   sandbox_ = ready.sandbox();
   capabilities_signal_.cancel();
-  spdlog::info("worker {} is ready; sandbox: {}", worker_->pid(), sandbox_);
   state_ = State::idle;
+  memory_ = MemoryLimit(worker_->pid());
+  worker_jobs_ = 0;
+  limit_memory();
+  spdlog::info("worker {} is ready; sandbox: {}; memory: {}", worker_->pid(), sandbox_,
+               memory_.describe());
   hold_queue({});
   if (options_.lane.views)
     for (const ViewPtr& view : views_.of(backend())) {
@@ -100,7 +104,8 @@ void Supervisor::on_heartbeat(const v1::Heartbeat& beat) {
 
 void Supervisor::on_preparing(v1::Preparing::Stage stage) {
   if (!v1::Preparing::Stage_IsValid(stage) || !job_->add_preparing(stage))
-    distrust("prepares what was not asked for");
+    return distrust("prepares what was not asked for");
+  stage_ = stage;
 }
 
 void Supervisor::on_planned(const v1::Plan& plan) {
@@ -114,6 +119,7 @@ void Supervisor::on_planned(const v1::Plan& plan) {
     return job_is_over();
   }
   if (!has_memory()) return job_is_over();
+  limit_memory();
   if (!job_->make_film() || !worker_->size_film(job_->film_bytes()) ||
       (job_->verifies() && !give_tiles())) {
     job_->fail(v1::Failed::SERVER, "no memory for the picture");

@@ -17,6 +17,8 @@
 #include <utility>
 #include <vector>
 
+#include "server/service/executors/worker_exit.h"
+
 namespace metamer::service {
 
 namespace {
@@ -130,15 +132,6 @@ bool is_shortage(int error) {
 }
 
 }  // namespace
-
-std::string describe_exit(int wait_status) {
-  if (WIFSIGNALED(wait_status)) {
-    const int signal = WTERMSIG(wait_status);
-    const char* name = sigdescr_np(signal);
-    return "killed by signal " + std::to_string(signal) + " (" + (name ? name : "unknown") + ")";
-  }
-  return "exited with code " + std::to_string(WEXITSTATUS(wait_status));
-}
 
 tl::expected<std::shared_ptr<WorkerProcess>, WorkerProcess::SpawnError> WorkerProcess::spawn(
     const asio::any_io_executor& executor, const WorkerCommand& command, Handlers handlers) {
@@ -283,6 +276,10 @@ void WorkerProcess::report_if_over() {
   unsent_signal_.cancel();
   const auto exit = std::exchange(handlers_, {}).exit;
   if (exit) exit(kill_reason_.empty() ? describe_exit(*status_) : kill_reason_);
+}
+
+bool WorkerProcess::ran_out_of_memory() const {
+  return kill_reason_.empty() && status_ && is_out_of_memory(*status_);
 }
 
 bool WorkerProcess::size_film(std::uint64_t bytes) {

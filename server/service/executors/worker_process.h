@@ -63,6 +63,10 @@ class WorkerProcess : public std::enable_shared_from_this<WorkerProcess> {
   /// Copies into it. False when the system refuses.
   bool write_film(std::uint64_t offset, const void* from, std::size_t bytes);
 
+  /// It is gone since the system refused it memory, as it says by its exit code, and not for what
+  /// it was killed for.
+  bool ran_out_of_memory() const;
+
   /// Ends the process at once. Its exit is reported with `reason` instead of what the system says.
   void kill(std::string reason);
   /// Ends the process, waits until it is gone and reports nothing any more.
@@ -90,8 +94,5 @@ class WorkerProcess : public std::enable_shared_from_this<WorkerProcess> {
   std::optional<int> status_;  // as waitpid gives it
   bool reading_ = true;
 };
-
-/// "killed by signal 9 (Killed)" or "exited with code 3".
-std::string describe_exit(int wait_status);
 
 }  // namespace metamer::service

@@ -167,6 +167,7 @@ class Job : public std::enable_shared_from_this<Job> {
   void append(v1::JobEvent event);
   void append_last(v1::JobEvent event);
   void append_planned(const v1::Plan& plan);
+  void note_numbers(const v1::Plan& plan);
   void append_progress(std::uint32_t verified = 0);
   void wake();
   v1::JobEvent queued_event(std::uint32_t ahead, const std::string& reason = {}) const;
@@ -202,6 +203,8 @@ class Job : public std::enable_shared_from_this<Job> {
   std::uint32_t height_ = 0;
   std::uint32_t tile_size_ = 0;
   std::uint64_t triangles_ = 0;
+  std::uint32_t spectra_ = 0;
+  std::uint32_t bands_ = 0;
   v1::Method method_;
   TileGrid grid_;
   Film film_;

@@ -57,13 +57,8 @@ Job::Job(v1::JobRecord record, AssetHolds assets, AccountPtr owner, JobStore& st
   }
   log_.restore(std::move(events), record.next_sequence(), ended());
   if (record.has_plan()) {
-    width_ = record.plan().width();
-    height_ = record.plan().height();
-    tile_size_ = record.plan().tile_size();
-    triangles_ = record.plan().triangles();
+    note_numbers(record.plan());
     method_ = record.has_method() ? record.method() : record.plan().method();
-    verifies_ = record.plan().verify_cost() > 0;
-    grid_ = TileGrid(width_, height_, tile_size_);
     planned_ = true;
     done_.assign(grid_.size(), false);
   }
@@ -94,6 +89,9 @@ v1::JobRecord Job::record() const {
     record.mutable_plan()->set_width(width_);
     record.mutable_plan()->set_height(height_);
     record.mutable_plan()->set_tile_size(tile_size_);
+    record.mutable_plan()->set_triangles(triangles_);
+    record.mutable_plan()->set_spectra(spectra_);
+    record.mutable_plan()->set_bands(bands_);
     record.mutable_plan()->set_verify_cost(verifies_ ? 1 : 0);
     *record.mutable_method() = method_;
   }

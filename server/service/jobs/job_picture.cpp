@@ -4,6 +4,7 @@
 #include <cassert>
 #include <utility>
 
+#include "common/digest.h"
 #include "common/scene/limits.h"
 #include "common/wire/frame.h"
 #include "server/service/jobs/job.h"
@@ -33,16 +34,22 @@ Result<void> Job::plan(const v1::Plan& plan) {
   }
 
   // Last what says that all is there: memory may run out on the way.
+  note_numbers(plan);
+  method_ = plan.method();
+  append_planned(plan);
+  planned_ = true;
+  return {};
+}
+
+void Job::note_numbers(const v1::Plan& plan) {
   width_ = plan.width();
   height_ = plan.height();
   tile_size_ = plan.tile_size();
   triangles_ = plan.triangles();
-  method_ = plan.method();
+  spectra_ = plan.spectra();
+  bands_ = plan.bands();
   verifies_ = plan.verify_cost() > 0;
   grid_ = TileGrid(width_, height_, tile_size_);
-  append_planned(plan);
-  planned_ = true;
-  return {};
 }
 
 void Job::append_planned(const v1::Plan& plan) {
@@ -52,9 +59,13 @@ void Job::append_planned(const v1::Plan& plan) {
 }
 
 JobSize Job::size() const {
+  const auto scene = digest_from_bytes(submit_.scene_sha256());
   return {.asset_bytes = assets_.bytes(),
+          .scene_bytes = scene ? assets_.bytes_of(*scene) : 0,
           .pixels = std::uint64_t{width_} * height_,
           .triangles = triangles_,
+          .spectra = spectra_,
+          .bands = bands_,
           .keeps_factors = submit_.keep_factors()};
 }
 

@@ -37,6 +37,8 @@ class JobQueue {
   JobQueue(std::uint64_t keep_bytes, std::uint64_t first_id, const Limits& limits = default_limits)
       : keep_bytes_(keep_bytes), limits_(limits), next_id_(first_id) {}
 
+  const Limits& limits() const { return limits_; }
+
   /// Keeps all jobs from now on, and goes on with the numbers of those that were kept.
   void keep_in(JobStore& store, std::string build);
   /// Takes over a job that was kept: one that has ended, or that Job::go_on() has queued or left

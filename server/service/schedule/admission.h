@@ -8,14 +8,26 @@ namespace metamer::service {
 /// What is known of a job that says how much memory it takes.
 struct JobSize {
   std::uint64_t asset_bytes = 0;  ///< Of all its files.
+  std::uint64_t scene_bytes = 0;  ///< Of them the scene's own, as the wire has it.
   std::uint64_t pixels = 0;       ///< 0: it has no plan yet.
-  std::uint64_t triangles = 0;    ///< As planned; counted in asset_bytes before.
+  // As planned; from the bytes before.
+  std::uint64_t triangles = 0;
+  std::uint64_t spectra = 0;  ///< Distinct ones,
+  std::uint64_t bands = 0;    ///< and what the method keeps of each.
   bool keeps_factors = false;
 };
 
 /// Bytes that a job takes of worker and daemon while it runs: an estimate, rather too high. It
 /// never overflows.
 std::uint64_t memory_estimate(const JobSize& size);
+
+/// Bytes of its own that a worker of so many threads may take for a job, more than it has without
+/// one; what it takes beyond ends it. It is more than is admitted: the estimate is of memory that
+/// is used, and this of memory that is asked for.
+std::uint64_t memory_allowance(const JobSize& size, std::uint32_t threads);
+
+/// In the unit that people use of memory, rounded up: "161 MiB".
+std::string mib(std::uint64_t bytes);
 
 /// Whether a job may start now.
 struct Admission {

@@ -178,6 +178,11 @@ TEST_F(SandboxTest, RefusesOtherProcesses) {
        [&] { return opens("/proc/" + std::to_string(test) + "/mem", O_RDONLY); }},
       {"share memory", [] { return shmget(IPC_PRIVATE, 4096, 0600) >= 0; }},
       {"limit its parent", [&] { return prlimit(test, RLIMIT_CORE, nullptr, nullptr) == 0; }},
+      {"change its own limits",
+       [] {
+         rlimit limit{};
+         return getrlimit(RLIMIT_DATA, &limit) == 0 && setrlimit(RLIMIT_DATA, &limit) == 0;
+       }},
       {"make a namespace", [] { return unshare(CLONE_NEWUSER) == 0; }},
       {"trace the system", [] { return syscall(SYS_bpf, 0, nullptr, 0) != -1; }},
   };

@@ -5,6 +5,7 @@
 //   crash N            abort after N tiles;   exit N: exit with code 3 after N tiles
 //   hang N             after N tiles neither render nor beat any more
 //   stall N            after N tiles beat on, and render no more
+//   swell N            after N tiles ask for memory until there is none, or 64 GiB are
 //   deaf               do not answer StopJob
 //   garbage N          after N tiles send bytes that are no frame
 //   stray              send a tile that is none of the job's
@@ -43,6 +44,7 @@
 #include <vector>
 
 #include "common/wire/blocking.h"
+#include "common/wire/worker_exit.h"
 
 namespace {
 
@@ -86,7 +88,7 @@ Script parse(const std::string& text) {
       words >> script.width >> script.height >> script.tile;
     } else if (word == "gate" || word == "prepared" || word == "preparing" || word == "crash" ||
                word == "exit" || word == "hang" || word == "stall" || word == "garbage" ||
-               word == "factors") {
+               word == "swell" || word == "factors") {
       words >> script.at[word];
     } else {
       script.at[word] = 0;
@@ -216,6 +218,7 @@ class Job {
     if (due("preparing")) say_preparing(v1::Preparing::TABLES);
     if (due("crash")) std::abort();
     if (due("exit")) _exit(3);
+    if (due("swell")) swell();
     if (due("hang")) {
       heart.beating = false;
       while (true) ::pause();
@@ -242,6 +245,15 @@ class Job {
       tile.set_height(script_.tile);
       tile_done(tile);
     }
+  }
+
+  /// Asks and does not touch: what is limited is what is asked for.
+  static void swell() {
+    constexpr std::size_t piece = 64u << 20;
+    for (int pieces = 0; pieces < 1024; ++pieces)
+      if (::mmap(nullptr, piece, PROT_READ | PROT_WRITE,
+                 MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0) == MAP_FAILED)
+        _exit(wire::exit_out_of_memory);
   }
 
   /// True when a StopJob has come that the script does not ignore.

@@ -1,0 +1,25 @@
+#include "server/service/executors/worker_exit.h"
+
+#include <sys/wait.h>
+
+#include <cstring>
+
+#include "common/wire/worker_exit.h"
+
+namespace metamer::service {
+
+std::string describe_exit(int wait_status) {
+  if (WIFSIGNALED(wait_status)) {
+    const int signal = WTERMSIG(wait_status);
+    const char* name = sigdescr_np(signal);
+    return "killed by signal " + std::to_string(signal) + " (" + (name ? name : "unknown") + ")";
+  }
+  if (is_out_of_memory(wait_status)) return "ran out of memory";
+  return "exited with code " + std::to_string(WEXITSTATUS(wait_status));
+}
+
+bool is_out_of_memory(int wait_status) {
+  return WIFEXITED(wait_status) && WEXITSTATUS(wait_status) == wire::exit_out_of_memory;
+}
+
+}  // namespace metamer::service

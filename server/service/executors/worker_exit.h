@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+namespace metamer::service {
+
+// What waitpid says of a worker that is gone.
+
+/// "killed by signal 9 (Killed)", "exited with code 3" or "ran out of memory".
+std::string describe_exit(int wait_status);
+
+/// It ended since the system refused it memory, as its exit code says.
+bool is_out_of_memory(int wait_status);
+
+}  // namespace metamer::service
