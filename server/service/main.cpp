@@ -55,6 +55,15 @@ int run(const service::CommandLine& line, service::Settings& settings) {
   }
 }
 
+/// Of the workers; empty where none is delegated.
+std::filesystem::path control_group() {
+  auto group = service::delegated_control_group();
+  auto divided = group ? service::divide_control_group(*group) : tl::unexpected(group.error());
+  if (divided) return *std::move(group);
+  spdlog::info("workers have no control groups: {}", divided.error().message);
+  return {};
+}
+
 int serve(const service::CommandLine& line, service::Settings& settings) {
   service::ServiceOptions& options = settings.service;
   for (const std::string& text : settings.listen) {
@@ -85,6 +94,7 @@ int serve(const service::CommandLine& line, service::Settings& settings) {
   }
   options.listening.socket.mode = service::socket_mode_of(settings.socket_mode).value_or(0600);
   if (settings.first_job) options.first_job_id = *settings.first_job;
+  options.worker.control_group = control_group();
   options.worker.gives_up = settings.parent_fd.has_value();
   options.worker.command.program =
       settings.worker.empty() ? service::default_worker() : std::filesystem::path(settings.worker);

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -26,8 +27,15 @@ constexpr int film_descriptor = 4;
 
 constexpr const char* usage =
     "usage: metamer-worker --store DIR --threads N [--gl-device auto|reference|N] [--nice N] "
-    "[--unconfined yes]\n"
+    "[--group DIR] [--unconfined yes]\n"
     "Started by metamerd; descriptor 3 is its socket, descriptor 4 the picture's memory.\n";
+
+/// Moves this process into a control group, and so all that it will start.
+void enter_group(const std::string& folder) {
+  const int processes = open((folder + "/cgroup.procs").c_str(), O_WRONLY | O_CLOEXEC);
+  if (processes < 0 || write(processes, "0", 1) != 1) std::perror("metamer-worker: --group");
+  if (processes >= 0) close(processes);
+}
 
 /// Tells the daemon why this worker never will be ready.
 void say_failed(const std::string& reason, metamer::worker::Link& link) {
@@ -116,6 +124,7 @@ int main(int count, char** arguments) {
   for (int i = 1; i + 1 < count; i += 2) {
     if (std::strcmp(arguments[i], "--store") == 0) options.store = arguments[i + 1];
     if (std::strcmp(arguments[i], "--gl-device") == 0) gl_device = arguments[i + 1];
+    if (std::strcmp(arguments[i], "--group") == 0) enter_group(arguments[i + 1]);
     if (std::strcmp(arguments[i], "--unconfined") == 0) unconfined = true;
     // Before there is a thread or the importer, which are as nice as this.
     if (std::strcmp(arguments[i], "--nice") == 0 &&

@@ -32,6 +32,9 @@ Supervisor::Supervisor(const asio::any_io_executor& executor, Options options, J
       overdue_(executor) {
   options_.command.backend = options_.lane.backend;
   options_.command.niceness = options_.lane.niceness;
+  if (!options_.control_group.empty())
+    group_ = ControlGroup(options_.control_group, options_.lane.name);
+  options_.command.group = group_.path();
 }
 
 void Supervisor::start() {
@@ -58,6 +61,7 @@ bool Supervisor::has_job() const {
 
 void Supervisor::start_worker() {
   ++starts_;
+  ended_for_memory_ = group_.ended_for_memory();
   auto worker =
       WorkerProcess::spawn(executor_, options_.command,
                            {[this](v1::WorkerEnvelope message) { on_message(std::move(message)); },
@@ -260,7 +264,7 @@ v1::WorkerInfo Supervisor::info() const {
   info.set_backend(options_.lane.name);
   info.set_starts(starts_);
   info.set_last_exit(last_exit_);
-  info.set_sandbox(sandbox_.empty() ? sandbox_ : sandbox_ + "; memory: " + memory_.describe());
+  info.set_sandbox(sandbox_.empty() ? sandbox_ : sandbox_ + "; memory: " + memory_text());
   return info;
 }
 

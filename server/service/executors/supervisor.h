@@ -7,6 +7,7 @@
 #include <string>
 
 #include "metamer/v1/session.pb.h"
+#include "server/service/executors/control_group.h"
 #include "server/service/executors/lane.h"
 #include "server/service/executors/memory_limit.h"
 #include "server/service/executors/worker_process.h"
@@ -26,6 +27,8 @@ class Supervisor {
   struct Options {
     WorkerCommand command;  ///< Its backend and niceness are the lane's.
     Lane lane = cpu_jobs;
+    /// A divided control group, below which the lane has its own; empty: none is delegated.
+    std::filesystem::path control_group;
     /// Nobody will mend what keeps workers from starting: jobs are not held then, but fail.
     bool gives_up = false;
     std::chrono::milliseconds worker_timeout{5000};   ///< Without a sign of life.
@@ -124,6 +127,7 @@ class Supervisor {
   /// Has the system hold the worker to what its job may take, or, without one, to what all may.
   void limit_memory();
   bool views_share_worker() const;
+  std::string memory_text() const;  // what holds the worker to its limit
   LogFields fields_of_job() const;  // what the log says of it, if there is one
   void hold_queue(const std::string& reason);
   void fail_queue(const std::string& reason);
@@ -146,8 +150,10 @@ class Supervisor {
   bool told_ = false;                                        // the worker, of job_
   v1::Preparing::Stage stage_ = v1::Preparing::UNSPECIFIED;  // that it has come to
   MemoryLimit memory_;
-  std::uint64_t worker_jobs_ = 0;  // that this worker has been given
-  bool had_views_ = false;         // since it was given the last
+  ControlGroup group_;
+  std::uint64_t ended_for_memory_ = 0;  // in the group, when the worker was started
+  std::uint64_t worker_jobs_ = 0;       // that this worker has been given
+  bool had_views_ = false;              // since it was given the last
   std::uint64_t starts_of_jobs_ = 0;
   std::uint32_t starts_ = 0;
   std::uint32_t losses_ = 0;

@@ -49,7 +49,8 @@ void Supervisor::on_exit(const std::string& reason) {
   fields.reason = reason + (obstacle_.empty() ? "" : ": ") + obstacle_;
   log_line(spdlog::level::warn, fields, fmt::format("the {} worker is gone", options_.lane.name));
   overdue_.cancel();
-  const bool for_memory = worker_ && worker_->ran_out_of_memory();
+  const bool for_memory =
+      worker_ && worker_->ran_out_of_memory(group_.ended_for_memory() > ended_for_memory_);
   worker_.reset();
   if (!obstacle_.empty()) return give_up();
   last_exit_ = reason;
@@ -123,6 +124,7 @@ bool Supervisor::views_share_worker() const {
 /// Views are not estimated: a job that shares its worker with them may take what all may.
 void Supervisor::limit_memory() {
   had_views_ = had_views_ || views_share_worker();
+  group_.allow(queue_.limits().memory);
   if (!has_job() || views_share_worker()) return memory_.allow(queue_.limits().memory);
   const JobSize size = job_->size();
   const std::uint64_t allowed = memory_allowance(size, threads_of(options_.command));
@@ -130,6 +132,11 @@ void Supervisor::limit_memory() {
   log_line(spdlog::level::debug, fields_of_job(),
            fmt::format("job {} takes about {}, and may ask for {}", job_->id(),
                        mib(memory_estimate(size)), mib(allowed)));
+}
+
+std::string Supervisor::memory_text() const {
+  return memory_.describe() +
+         (group_.path().empty() ? "" : ", and by a control group for the lane");
 }
 
 LogFields Supervisor::fields_of_job() const {

@@ -77,7 +77,7 @@ void Supervisor::on_ready(v1::WorkerReady ready) {
   worker_jobs_ = 0;
   limit_memory();
   spdlog::info("worker {} is ready; sandbox: {}; memory: {}", worker_->pid(), sandbox_,
-               memory_.describe());
+               memory_text());
   hold_queue({});
   if (options_.lane.views)
     for (const ViewPtr& view : views_.of(backend())) {

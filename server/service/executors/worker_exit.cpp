@@ -1,5 +1,6 @@
 #include "server/service/executors/worker_exit.h"
 
+#include <signal.h>
 #include <sys/wait.h>
 
 #include <cstring>
@@ -18,8 +19,9 @@ std::string describe_exit(int wait_status) {
   return "exited with code " + std::to_string(WEXITSTATUS(wait_status));
 }
 
-bool is_out_of_memory(int wait_status) {
-  return WIFEXITED(wait_status) && WEXITSTATUS(wait_status) == wire::exit_out_of_memory;
+bool is_out_of_memory(int wait_status, bool kernel) {
+  if (WIFSIGNALED(wait_status)) return kernel && WTERMSIG(wait_status) == SIGKILL;
+  return WEXITSTATUS(wait_status) == wire::exit_out_of_memory;
 }
 
 }  // namespace metamer::service

@@ -9,7 +9,8 @@ namespace metamer::service {
 /// "killed by signal 9 (Killed)", "exited with code 3" or "ran out of memory".
 std::string describe_exit(int wait_status);
 
-/// It ended since the system refused it memory, as its exit code says.
-bool is_out_of_memory(int wait_status);
+/// It ended since the system refused it memory, as its exit code says; or was killed where `kernel`
+/// has ended a process for want of memory.
+bool is_out_of_memory(int wait_status, bool kernel = false);
 
 }  // namespace metamer::service

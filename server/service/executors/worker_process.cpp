@@ -91,6 +91,7 @@ int start(const WorkerCommand& command, int socket, int film, pid_t& pid) {
     words.insert(words.end(), {std::string("--gl-device"), command.gl_device});
   if (command.niceness != 0)
     words.insert(words.end(), {"--nice", std::to_string(command.niceness)});
+  if (!command.group.empty()) words.insert(words.end(), {"--group", command.group.string()});
   if (command.unconfined) words.insert(words.end(), {"--unconfined", "yes"});
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
@@ -278,8 +279,8 @@ void WorkerProcess::report_if_over() {
   if (exit) exit(kill_reason_.empty() ? describe_exit(*status_) : kill_reason_);
 }
 
-bool WorkerProcess::ran_out_of_memory() const {
-  return kill_reason_.empty() && status_ && is_out_of_memory(*status_);
+bool WorkerProcess::ran_out_of_memory(bool kernel) const {
+  return kill_reason_.empty() && status_ && is_out_of_memory(*status_, kernel);
 }
 
 bool WorkerProcess::size_film(std::uint64_t bytes) {

@@ -27,6 +27,7 @@ struct WorkerCommand {
   v1::Backend backend = v1::CPU;
   int niceness = 0;                ///< As nice(2) has it.
   std::string gl_device = "auto";  ///< Of a GL worker: auto, reference or a number.
+  std::filesystem::path group;     ///< The control group that it enters; empty: its parent's.
   bool unconfined = false;         ///< It may run where the kernel can't confine it.
 };
 
@@ -63,9 +64,10 @@ class WorkerProcess : public std::enable_shared_from_this<WorkerProcess> {
   /// Copies into it. False when the system refuses.
   bool write_film(std::uint64_t offset, const void* from, std::size_t bytes);
 
-  /// It is gone since the system refused it memory, as it says by its exit code, and not for what
-  /// it was killed for.
-  bool ran_out_of_memory() const;
+  /// It is gone since the system refused it memory, as it says by its exit code, or was killed
+  /// where `kernel` has ended something for want of memory; and not for what it was killed for
+  /// here.
+  bool ran_out_of_memory(bool kernel) const;
 
   /// Ends the process at once. Its exit is reported with `reason` instead of what the system says.
   void kill(std::string reason);

@@ -28,7 +28,7 @@ constexpr std::uint64_t factor_bytes_per_pixel = 64;
 /// What may be asked for beyond the estimate. Of the gallery, the booth, meshes and scenes at the
 /// ends of the limits (tests/bench/memory_bench.py) the CPU's jobs used 0.93 of the estimate at
 /// most and asked for 0.97; software's GL, which asks for more than it uses, for 1.7, of which 100
-/// MiB are the same for all scenes. So none comes near half of what is allowed.
+/// MiB are the same for all scenes. None asked for more than half of what is allowed.
 constexpr std::uint64_t allowed_share = 2;
 constexpr std::uint64_t allowed_bytes = std::uint64_t{256} << 20;
 /// Stacks are asked for whole.
