@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "metamer/v1/scene.pb.h"
 
 namespace metamer::service {
@@ -13,11 +15,14 @@ struct Lane {
   /// As nice(2) has it. A frame is waited for, a tile is not: on the processors that they share
   /// jobs get what views leave, at least a tenth.
   int niceness = 0;
+  /// Bytes that a driver may ask for besides its jobs: its compiler, and copies of what is on a
+  /// device.
+  std::uint64_t driver_bytes = 0;
 };
 
 inline constexpr Lane cpu_jobs{"cpu", v1::CPU, true, false, 10};
 inline constexpr Lane cpu_views{"cpu views", v1::CPU, false, true, 0};
 /// One device draws one thing after the other, so both have turns in one worker.
-inline constexpr Lane gl_lane{"gl", v1::GL, true, true, 0};
+inline constexpr Lane gl_lane{"gl", v1::GL, true, true, 0, std::uint64_t{1} << 30};
 
 }  // namespace metamer::service

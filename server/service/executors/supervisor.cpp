@@ -32,7 +32,7 @@ Supervisor::Supervisor(const asio::any_io_executor& executor, Options options, J
       overdue_(executor) {
   options_.command.backend = options_.lane.backend;
   options_.command.niceness = options_.lane.niceness;
-  if (!options_.control_group.empty())
+  if (!options_.control_group.empty() && options_.lane.jobs)
     group_ = ControlGroup(options_.control_group, options_.lane.name);
   options_.command.group = group_.path();
 }
@@ -158,7 +158,6 @@ void Supervisor::work() {
   stage_ = v1::Preparing::UNSPECIFIED;
   ++worker_jobs_;
   had_views_ = false;
-  limit_memory();
   watch();
   // Its attempt is on the disk before the worker hears of it: should it take the daemon along, that
   // counts.

@@ -124,8 +124,10 @@ class Supervisor {
   bool take_job();
   void lose_job(const std::string& reason);
   void fail_job_for_memory();
-  /// Has the system hold the worker to what its job may take, or, without one, to what all may.
+  /// Has the system hold the worker of a lane of jobs to what its job may take, or, without one, to
+  /// what all may.
   void limit_memory();
+  std::uint64_t allowed_memory() const;  // to its job
   bool views_share_worker() const;
   std::string memory_text() const;  // what holds the worker to its limit
   LogFields fields_of_job() const;  // what the log says of it, if there is one

@@ -107,14 +107,16 @@ void Supervisor::lose_job(const std::string& reason) {
 }
 
 void Supervisor::fail_job_for_memory() {
-  const JobSize size = job_->size();
   job_->fail(
       v1::Failed::SERVER,
       fmt::format("needs more memory than it may take: about {} were estimated, {} are "
                   "allowed, and not enough {}",
-                  mib(memory_estimate(size)),
-                  mib(memory_allowance(size, threads_of(options_.command))), purpose_of(stage_)));
+                  mib(memory_estimate(job_->size())), mib(allowed_memory()), purpose_of(stage_)));
   queue_.ended(*job_);
+}
+
+std::uint64_t Supervisor::allowed_memory() const {
+  return memory_allowance(job_->size(), threads_of(options_.command), options_.lane.driver_bytes);
 }
 
 bool Supervisor::views_share_worker() const {
@@ -123,18 +125,18 @@ bool Supervisor::views_share_worker() const {
 
 /// Views are not estimated: a job that shares its worker with them may take what all may.
 void Supervisor::limit_memory() {
+  if (!options_.lane.jobs) return;
   had_views_ = had_views_ || views_share_worker();
   group_.allow(queue_.limits().memory);
   if (!has_job() || views_share_worker()) return memory_.allow(queue_.limits().memory);
-  const JobSize size = job_->size();
-  const std::uint64_t allowed = memory_allowance(size, threads_of(options_.command));
-  memory_.allow(allowed);
+  memory_.allow(allowed_memory());
   log_line(spdlog::level::debug, fields_of_job(),
            fmt::format("job {} takes about {}, and may ask for {}", job_->id(),
-                       mib(memory_estimate(size)), mib(allowed)));
+                       mib(memory_estimate(job_->size())), mib(allowed_memory())));
 }
 
 std::string Supervisor::memory_text() const {
+  if (!options_.lane.jobs) return "not limited, since views are not estimated";
   return memory_.describe() +
          (group_.path().empty() ? "" : ", and by a control group for the lane");
 }

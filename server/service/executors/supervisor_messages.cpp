@@ -2,6 +2,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "server/service/executors/supervisor.h"
 #include "server/service/limits.h"
@@ -105,7 +106,8 @@ void Supervisor::on_heartbeat(const v1::Heartbeat& beat) {
 void Supervisor::on_preparing(v1::Preparing::Stage stage) {
   if (!v1::Preparing::Stage_IsValid(stage) || !job_->add_preparing(stage))
     return distrust("prepares what was not asked for");
-  stage_ = stage;
+  // With its first step the worker has let go of the job before.
+  if (std::exchange(stage_, stage) == v1::Preparing::UNSPECIFIED) limit_memory();
 }
 
 void Supervisor::on_planned(const v1::Plan& plan) {
@@ -156,6 +158,7 @@ void Supervisor::on_prepared(const v1::Timing& timing) {
   const bool alone = job_->submit().check_only() && job_->submit().prepare();
   if ((state_ != State::rendering && !alone) || !job_->add_prepared(timing))
     return distrust("prepared what was not asked for");
+  stage_ = v1::Preparing::UNSPECIFIED;
   if (!alone) return begin_turn();
   v1::JobDone done;
   *done.mutable_timing() = timing;

@@ -63,9 +63,10 @@ std::uint64_t memory_estimate(const JobSize& size) {
   return bytes;
 }
 
-std::uint64_t memory_allowance(const JobSize& size, std::uint32_t threads) {
-  return added(times(memory_estimate(size), allowed_share),
-               added(allowed_bytes, times(threads, allowed_bytes_per_thread)));
+std::uint64_t memory_allowance(const JobSize& size, std::uint32_t threads,
+                               std::uint64_t driver_bytes) {
+  const std::uint64_t fixed = added(allowed_bytes, times(threads, allowed_bytes_per_thread));
+  return added(times(memory_estimate(size), allowed_share), added(fixed, driver_bytes));
 }
 
 Admission admit(std::uint64_t wanted, std::uint64_t taken, std::uint64_t budget) {

@@ -23,8 +23,9 @@ std::uint64_t memory_estimate(const JobSize& size);
 
 /// Bytes of its own that a worker of so many threads may take for a job, more than it has without
 /// one; what it takes beyond ends it. It is more than is admitted: the estimate is of memory that
-/// is used, and this of memory that is asked for.
-std::uint64_t memory_allowance(const JobSize& size, std::uint32_t threads);
+/// is used, and this of memory that is asked for, by a driver as well.
+std::uint64_t memory_allowance(const JobSize& size, std::uint32_t threads,
+                               std::uint64_t driver_bytes = 0);
 
 /// In the unit that people use of memory, rounded up: "161 MiB".
 std::string mib(std::uint64_t bytes);
