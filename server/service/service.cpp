@@ -116,7 +116,7 @@ Result<void> Service::start() {
   if (!store) return tl::unexpected(store.error());
   store_ = *std::move(store);
   service_context_ = std::make_unique<ServiceContext>(
-      ServiceContext{*store_, queue_, views_, cpu_, cpu_views_, gl_,
+      ServiceContext{*store_, queue_, views_, cpu_, cpu_views_, gl_, cpu_views_, gl_,
                      [this] { return listener_.sessions(); }, options_.limits, options_.patience,
                      *logins_, Accounts(users_ ? &*users_ : nullptr), state_.get()});
   service_context_->tell_usage = [this](const Identity& who, v1::Info& info) {
@@ -189,8 +189,11 @@ Counts Service::counts() {
   all.jobs_running = queue_.running();
   all.store_bytes = store_->bytes();
   all.state_bytes = state_ ? queue_.picture_bytes() : 0;
-  for (const Supervisor* worker : {&cpu_, &cpu_views_, &gl_})
-    all.workers.push_back({worker->lane(), worker->starts(), worker->losses()});
+  for (const Executor* executor :
+       std::initializer_list<const Executor*>{&cpu_, &cpu_views_, &gl_}) {
+    const v1::WorkerInfo info = executor->info();
+    all.workers.push_back({info.backend(), info.starts(), executor->losses()});
+  }
   return all;
 }
 

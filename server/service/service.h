@@ -10,6 +10,7 @@
 #include "common/problem.h"
 #include "server/service/access/logins.h"
 #include "server/service/access/users.h"
+#include "server/service/executors/supervisor.h"
 #include "server/service/net/dispatch.h"
 #include "server/service/net/listener.h"
 #include "server/service/ops/metrics.h"

@@ -8,6 +8,7 @@
 
 #include "metamer/v1/session.pb.h"
 #include "server/service/executors/control_group.h"
+#include "server/service/executors/executor.h"
 #include "server/service/executors/lane.h"
 #include "server/service/executors/memory_limit.h"
 #include "server/service/executors/worker_process.h"
@@ -22,7 +23,7 @@ struct LogFields;
 /// Keeps a lane's worker running and gives it the queue's jobs for it, one at a time, and the
 /// views, where it is for these. A worker that dies, hangs or lies costs its job one attempt, ends
 /// its views, and nothing else.
-class Supervisor {
+class Supervisor final : public Executor, public ViewHost {
  public:
   struct Options {
     WorkerCommand command;  ///< Its backend and niceness are the lane's.
@@ -41,34 +42,19 @@ class Supervisor {
 
   Supervisor(const asio::any_io_executor& executor, Options options, JobQueue& queue, Views& views);
 
-  /// Starts the first worker, unless there is one. Without it the first job does.
-  void start();
-  /// Ends the worker and starts no other.
-  void stop();
+  void start() override;
+  void stop() override;
+  void work() override;
+  void interrupt(const Job& job) override;
+  void charge_job() override;
+  /// Empty until the first worker has said so.
+  const v1::Capabilities& capabilities() const override { return capabilities_; }
+  asio::awaitable<void> wait_for_capabilities() override;
+  v1::WorkerInfo info() const override;
+  std::uint32_t losses() const override { return losses_; }
 
-  /// Gives the worker the next job if it is free. To be called when the queue has grown.
-  void work();
-  /// Says that `job` was cancelled or paused: the worker is stopped if it has it.
-  void interrupt(const Job& job);
-
-  /// Opens a view in the worker, which is started if need be.
-  void open(const View& view);
-  /// Tells the worker what concerns a view. Without a worker it is lost, and the view too.
-  void tell(v1::WorkerEnvelope message);
-
-  /// Charges the job that it has with the worker's time up to now.
-  void charge_job();
-
-  /// What the workers can do; empty until the first one has said so.
-  const v1::Capabilities& capabilities() const { return capabilities_; }
-  /// Waits until they are known or the first worker has failed to start.
-  asio::awaitable<void> wait_for_capabilities();
-  v1::WorkerInfo info() const;
-  std::string lane() const { return options_.lane.name; }
-  std::uint32_t starts() const { return starts_; }
-  /// Workers that ended by themselves, or for what they did.
-  std::uint32_t losses() const { return losses_; }
-  v1::Backend backend() const { return options_.lane.backend; }
+  void open(const View& view) override;
+  void tell(v1::WorkerEnvelope message) override;
 
  private:
   enum class State {
@@ -134,6 +120,7 @@ class Supervisor {
   void hold_queue(const std::string& reason);
   void fail_queue(const std::string& reason);
   void end_views(const std::string& reason);
+  v1::Backend backend() const { return options_.lane.backend; }
   bool is_wanted() const;
   bool has_job() const;
   bool is_busy() const;

@@ -2,6 +2,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <limits>
 #include <thread>
 
 #include "server/service/executors/supervisor.h"
@@ -127,8 +128,10 @@ bool Supervisor::views_share_worker() const {
 void Supervisor::limit_memory() {
   if (!options_.lane.jobs) return;
   had_views_ = had_views_ || views_share_worker();
-  group_.allow(queue_.limits().memory);
-  if (!has_job() || views_share_worker()) return memory_.allow(queue_.limits().memory);
+  const std::uint64_t set = queue_.limits().memory;
+  const std::uint64_t all = set > 0 ? set : std::numeric_limits<std::uint64_t>::max();
+  group_.allow(all);
+  if (!has_job() || views_share_worker()) return memory_.allow(all);
   memory_.allow(allowed_memory());
   log_line(spdlog::level::debug, fields_of_job(),
            fmt::format("job {} takes about {}, and may ask for {}", job_->id(),

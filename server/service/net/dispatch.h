@@ -11,7 +11,7 @@
 #include "server/service/access/identity.h"
 #include "server/service/access/logins.h"
 #include "server/service/assets/asset_store.h"
-#include "server/service/executors/supervisor.h"
+#include "server/service/executors/executor.h"
 #include "server/service/jobs/job_queue.h"
 #include "server/service/limits.h"
 #include "server/service/net/traffic.h"
@@ -26,9 +26,11 @@ struct ServiceContext {
   AssetStore& store;
   JobQueue& queue;
   Views& views;
-  Supervisor& cpu;
-  Supervisor& cpu_views;
-  Supervisor& gl;
+  Executor& cpu;
+  Executor& cpu_views;
+  Executor& gl;
+  ViewHost& cpu_view_host;
+  ViewHost& gl_view_host;
   std::function<std::uint32_t()> sessions;  ///< How many there are.
   const Limits& limits;
   const Patience& patience;
@@ -41,11 +43,11 @@ struct ServiceContext {
   std::function<void(const Identity&, v1::Info&)> tell_usage = {};
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
 
-  Supervisor& worker_of(const Job& job) const {
+  Executor& executor_of(const Job& job) const {
     return job.submit().backend() == v1::GL ? gl : cpu;
   }
-  Supervisor& worker_of(const View& view) const {
-    return view.backend() == v1::GL ? gl : cpu_views;
+  ViewHost& host_of(const View& view) const {
+    return view.backend() == v1::GL ? gl_view_host : cpu_view_host;
   }
 };
 

@@ -30,10 +30,10 @@ asio::awaitable<Dispatch::Answer> Dispatch::submit(v1::Submit submit) {
   auto job = context_.queue.submit(std::move(submit), *std::move(assets), account_);
   if (!job) co_return tl::unexpected(job.error());
   if (const auto trouble = co_await kept(**job)) {
-    if (context_.queue.cancel(**job)) context_.worker_of(**job).interrupt(**job);
+    if (context_.queue.cancel(**job)) context_.executor_of(**job).interrupt(**job);
     co_return tl::unexpected(*trouble);
   }
-  context_.worker_of(**job).work();
+  context_.executor_of(**job).work();
   v1::Envelope envelope;
   envelope.mutable_submitted()->set_job_id((*job)->id());
   co_return envelope;
@@ -115,9 +115,9 @@ asio::awaitable<Dispatch::Answer> Dispatch::order(Order order, std::uint64_t job
     return {};
   };
   if (auto done = carry_out(); !done) co_return tl::unexpected(done.error());
-  Supervisor& worker = context_.worker_of(*job);
-  if (order != Order::resume) worker.interrupt(*job);
-  worker.work();
+  Executor& executor = context_.executor_of(*job);
+  if (order != Order::resume) executor.interrupt(*job);
+  executor.work();
   if (const auto trouble = co_await kept(*job)) co_return tl::unexpected(*trouble);
   v1::Envelope envelope;
   *envelope.mutable_job_summary() = job->summary();

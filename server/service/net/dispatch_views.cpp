@@ -15,7 +15,7 @@ Dispatch::Answer Dispatch::open_view(std::uint64_t request_id, v1::OpenView open
       context_.views.open(std::move(open), *std::move(assets), views_.wake(), account_);
   if (!view) return tl::unexpected(view.error());
   views_.add(request_id, *view);
-  context_.worker_of(**view).open(**view);
+  context_.host_of(**view).open(**view);
   return std::nullopt;
 }
 
@@ -34,7 +34,7 @@ Dispatch::Answer Dispatch::tell_view(
   if (view->ended()) return std::nullopt;  // its last event is on the way
   auto order = ask(*view);
   if (!order) return tl::unexpected(order.error());
-  if (*order) context_.worker_of(*view).tell(*std::move(*order));
+  if (*order) context_.host_of(*view).tell(*std::move(*order));
   return std::nullopt;
 }
 

@@ -222,7 +222,7 @@ std::string Session::frames_to_send() {
 
 /// Its client has had its last event, or is gone: then the worker has not heard of it yet.
 void Session::close_view(View& view) {
-  if (!view.ended()) context_.worker_of(view).tell(view.closing());
+  if (!view.ended()) context_.host_of(view).tell(view.closing());
 }
 
 asio::awaitable<void> Session::write_answers() {

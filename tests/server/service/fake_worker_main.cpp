@@ -38,6 +38,7 @@
 #include <fstream>
 #include <map>
 #include <mutex>
+#include <new>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -372,6 +373,7 @@ int run(const fs::path& store) {
 }  // namespace
 
 int main(int count, char** arguments) {
+  std::set_new_handler([] { _exit(wire::exit_out_of_memory); });
   const bool gl = std::any_of(arguments, arguments + count, [](const char* word) {
     return std::strcmp(word, "--gl-device") == 0;
   });
