@@ -102,7 +102,7 @@ class Server(Waiting):
         except BaseException:
             self._stop()
             raise
-        self.welcome = self._target.welcome
+        self.welcome, self.address = self._target.welcome, self._target.address
 
     def __enter__(self) -> "Server":
         return self

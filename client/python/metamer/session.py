@@ -61,6 +61,11 @@ class Session:
         connection.control_frame = welcome.limits.control_frame or connection.control_frame
         return cls(connection, welcome)
 
+    @property
+    def address(self) -> str:
+        """Where the server is, for further sessions and for `metamer --server`."""
+        return self._connection.server
+
     async def close(self) -> None:
         await self._connection.close()
 

@@ -3,7 +3,7 @@
 A field is named by its path, as problems have it: "settings.spp", "light[0].luminance"; an element of a list also by its
 name: "light[key].spectrum". A value is a number, a word of an enumeration, a string, a message, or a message's text:
 
-    server.sweep(scene, {"settings.method": ["exact {}", "point { step: 10 }"], "settings.spp": [1, 4]})
+    server.sweep(scene, {"settings.method": ["exact {}", "point { fitted: 8 }"], "settings.spp": [1, 4]})
 """
 import itertools
 import re

@@ -1,0 +1,5 @@
+import sys
+
+from metamer.bench.command import main
+
+sys.exit(main())
