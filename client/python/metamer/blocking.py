@@ -51,7 +51,7 @@ class Waiting:
 
 
 def _calls_of(target: type) -> Callable[[type], type]:
-    """Gives a Waiting the public calls of `target`, with their names, signatures and docstrings."""
+    """Gives a Waiting the public calls and properties of `target`, with their names, signatures and docstrings."""
 
     def call(name: str, function: Callable) -> Callable:
         step = Waiting._iterate if inspect.isasyncgenfunction(function) else Waiting._wait
@@ -64,10 +64,13 @@ def _calls_of(target: type) -> Callable[[type], type]:
         return waits
 
     def add(to: type) -> type:
-        for name, function in vars(target).items():
-            is_call = inspect.iscoroutinefunction(function) or inspect.isasyncgenfunction(function)
-            if is_call and not name.startswith("_") and name not in vars(to):
-                setattr(to, name, call(name, function))
+        for name, value in vars(target).items():
+            if name.startswith("_") or name in vars(to):
+                continue
+            if inspect.iscoroutinefunction(value) or inspect.isasyncgenfunction(value):
+                setattr(to, name, call(name, value))
+            elif isinstance(value, property):
+                setattr(to, name, property(lambda self, of=value: of.fget(self._target), doc=value.__doc__))
         return to
 
     return add
@@ -102,7 +105,7 @@ class Server(Waiting):
         except BaseException:
             self._stop()
             raise
-        self.welcome, self.address = self._target.welcome, self._target.address
+        self.welcome = self._target.welcome
 
     def __enter__(self) -> "Server":
         return self
