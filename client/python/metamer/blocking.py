@@ -122,6 +122,8 @@ class Server(Waiting):
                 self._stop()
 
     def _stop(self) -> None:
+        self._wait(self._loop.shutdown_asyncgens())
+        self._wait(self._loop.shutdown_default_executor())
         self._loop.call_soon_threadsafe(self._loop.stop)
         self._thread.join()
         self._loop.close()

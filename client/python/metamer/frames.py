@@ -11,6 +11,7 @@ from metamer.v1 import envelope_pb2, jobs_pb2
 MAX_CONTROL_FRAME = 256 << 10
 MAX_FRAME = (4 << 20) + 1024
 _HEADER = struct.Struct(">I")
+_TLS_RECORDS = (0x1503, 0x1603)  # an alert, a handshake: no frame is so long
 _FEW = 8  # fields of a message whose frame may be large
 
 Envelope = envelope_pb2.Envelope
@@ -24,6 +25,8 @@ def encode(envelope: Envelope) -> bytes:
 async def read_envelope(reader: asyncio.StreamReader) -> Envelope:
     """The next message. Raises ProtocolError, and asyncio.IncompleteReadError or OSError where the connection ends."""
     (size,) = _HEADER.unpack(await reader.readexactly(_HEADER.size))
+    if size >> 16 in _TLS_RECORDS:
+        raise ProtocolError("the server speaks TLS there: put tls: before its address")
     if not 0 < size <= MAX_FRAME:
         raise ProtocolError(f"the server sends a frame of {size} bytes; at most {MAX_FRAME} are allowed")
     payload = await reader.readexactly(size)

@@ -52,7 +52,7 @@ async def reach(address: Address, credentials: Credentials) -> Streams:
     try:
         _check_peer(writer, address, credentials)
     except BaseException:
-        writer.close()
+        writer.transport.abort()
         raise
     return reader, writer
 
