@@ -66,6 +66,18 @@ void write_at(int fd, std::uint64_t offset, std::string_view bytes,
   }
 }
 
+/// The descriptor that is held, or one for the time of reading; -1 and errno where there is none.
+struct Reading {
+  Reading(int held, const std::filesystem::path& path)
+      : fd(held >= 0 ? held : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)), own(held < 0) {}
+  ~Reading() {
+    if (own && fd >= 0) ::close(fd);
+  }
+  Reading(const Reading&) = delete;
+  const int fd;
+  const bool own;
+};
+
 bool read_at(int fd, std::uint64_t offset, void* to, std::size_t size) {
   auto* bytes = static_cast<char*>(to);
   while (size > 0) {
@@ -82,7 +94,11 @@ bool read_at(int fd, std::uint64_t offset, void* to, std::size_t size) {
 }  // namespace
 
 TileFile::~TileFile() {
-  if (fd_ >= 0) ::close(fd_);
+  if (held_ >= 0) ::close(held_);
+}
+
+void TileFile::open() const {
+  if (held_ < 0) held_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
 }
 
 std::string TileFile::encode(Entry& entry, std::string_view xyz, std::string_view factors) {
@@ -106,32 +122,28 @@ void TileFile::forget() {
   lost_ = std::make_shared<std::atomic<bool>>(false);
 }
 
-int TileFile::open_to_read() const {
-  if (fd_ < 0) fd_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
-  return fd_;
-}
-
 Result<std::vector<TileFile::Entry>> TileFile::scan() {
   std::vector<Entry> entries;
   forget();
-  if (open_to_read() < 0) {
+  const Reading file(held_, path_);
+  if (file.fd < 0) {
     if (errno == ENOENT) return entries;
     return problem("can't read " + path_.string() + ": " + std::strerror(errno));
   }
   struct stat status {};
-  if (::fstat(fd_, &status) != 0)
+  if (::fstat(file.fd, &status) != 0)
     return problem("can't read " + path_.string() + ": " + std::strerror(errno));
   const auto end = static_cast<std::uint64_t>(status.st_size);
   std::string mark(tile_file_mark.size(), '\0');
   if (end < head_bytes) return entries;
-  if (!read_at(fd_, 0, mark.data(), mark.size()) || mark != tile_file_mark)
+  if (!read_at(file.fd, 0, mark.data(), mark.size()) || mark != tile_file_mark)
     return problem(path_.string() + " is no file of tiles");
 
   // Appended in order: what is whole at its end is whole before it, unless the disk lies, which
   // read() finds.
   while (end - size_ >= sizeof(RecordHead)) {
     RecordHead head;
-    if (!read_at(fd_, size_, &head, sizeof head)) break;
+    if (!read_at(file.fd, size_, &head, sizeof head)) break;
     const std::uint64_t bytes = std::uint64_t{head.xyz_bytes} + head.factor_bytes;
     if (bytes > end - size_ - sizeof head) break;
     entries.push_back(
@@ -146,13 +158,14 @@ Result<std::vector<TileFile::Entry>> TileFile::scan() {
 }
 
 Result<TileFile::Contents> TileFile::read(const Entry& entry) const {
-  if (open_to_read() < 0)
-    return problem("can't read " + path_.string() + ": " + std::strerror(errno));
+  const Reading file(held_, path_);
+  if (file.fd < 0) return problem("can't read " + path_.string() + ": " + std::strerror(errno));
   RecordHead head;
   std::string bytes(std::size_t{entry.xyz_bytes} + entry.factor_bytes, '\0');
-  const bool whole = read_at(fd_, entry.offset, &head, sizeof head) && head.tile == entry.tile &&
-                     head.xyz_bytes == entry.xyz_bytes && head.factor_bytes == entry.factor_bytes &&
-                     read_at(fd_, entry.offset + sizeof head, bytes.data(), bytes.size()) &&
+  const bool whole = read_at(file.fd, entry.offset, &head, sizeof head) &&
+                     head.tile == entry.tile && head.xyz_bytes == entry.xyz_bytes &&
+                     head.factor_bytes == entry.factor_bytes &&
+                     read_at(file.fd, entry.offset + sizeof head, bytes.data(), bytes.size()) &&
                      sum_of(head, bytes) == head.sum;
   if (!whole)
     return problem("tile " + std::to_string(entry.tile) + " is damaged in " + path_.string());

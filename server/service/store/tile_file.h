@@ -47,8 +47,9 @@ class TileFile {
   TileFile& operator=(const TileFile&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  /// Keeps it readable though its name may go.
-  void open() const { (void)open_to_read(); }
+  /// Keeps it readable though its name may go: with a descriptor, which it otherwise has only while
+  /// it is read, for there may be more jobs than descriptors.
+  void open() const;
   /// Whether one of its records could not be written since forget(); for the journal's thread.
   const std::shared_ptr<std::atomic<bool>>& lost() const { return lost_; }
   /// Where the next record goes: bytes of all before it.
@@ -79,11 +80,9 @@ class TileFile {
   static void remove(const std::filesystem::path& path);
 
  private:
-  int open_to_read() const;  // errno where it can't
-
   std::filesystem::path path_;
   std::uint64_t size_ = head_bytes;
-  mutable int fd_ = -1;
+  mutable int held_ = -1;  // what open() opened
   std::shared_ptr<std::atomic<bool>> lost_ = std::make_shared<std::atomic<bool>>(false);
 };
 

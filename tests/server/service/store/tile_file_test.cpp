@@ -139,5 +139,23 @@ TEST_F(TileFiles, AnotherKindOfFileIsAnError) {
   EXPECT_FALSE(file.scan());
 }
 
+std::size_t open_descriptors() {
+  const std::filesystem::directory_iterator all("/proc/self/fd");
+  return static_cast<std::size_t>(std::distance(begin(all), end(all)));
+}
+
+TEST_F(TileFiles, WhatIsReadTakesADescriptorOnlyMeanwhileUnlessItsNameMayGo) {
+  add(4, "pixels");
+  const std::size_t before = open_descriptors();
+  ASSERT_TRUE(file.scan());
+  ASSERT_TRUE(file.read(written[0]));
+  EXPECT_EQ(open_descriptors(), before);
+  file.open();
+  file.open();
+  EXPECT_EQ(open_descriptors(), before + 1);
+  TileFile::remove(path);
+  EXPECT_EQ(file.read(written[0]).value().xyz, "pixels");
+}
+
 }  // namespace
 }  // namespace metamer::service
