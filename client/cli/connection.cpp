@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "client/session/connect.h"
+#include "client/session/job_handle.h"
 
 namespace metamer::cli {
 namespace {
@@ -21,6 +22,8 @@ asio::awaitable<ExitCode> connect_and_work(std::string server, Report& report, c
   Answer<Connection> connection = co_await connect(std::move(server));
   if (!connection) co_return report.session_error(connection.error());
   if (named) listen();
+  if (const std::string id = server_digits(connection->session->welcome()); !id.empty())
+    report.document()["server_id"] = id;
   const ExitCode code = co_await work(*connection->session);
   co_return code;
 }

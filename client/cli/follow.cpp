@@ -58,7 +58,8 @@ void request_cancel(const boost::asio::any_io_executor& executor, Session& sessi
 
 ExitCode conclude(const JobRecord& job, const CheckedScene* scene, Report& report) {
   Json& document = report.document();
-  document["job_id"] = job.job_id;
+  document["job_id"] = job.job.number;
+  document["handle"] = to_text(job.job);
   if (job.plan) {
     document["plan"] = to_json(*job.plan);
     for (const v1::Notice& notice : job.plan->notice()) {

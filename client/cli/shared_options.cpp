@@ -32,9 +32,11 @@ void declare_scene(std::string& scene, Options& options) {
       {.names = "scene", .target = &scene, .meaning = "a scene file (.txtpb)", .required = true});
 }
 
-void declare_job(std::uint64_t& job_id, Options& options) {
-  options.push_back(
-      {.names = "job", .target = &job_id, .meaning = "the job's number", .required = true});
+void declare_job(std::string& job, Options& options) {
+  options.push_back({.names = "job",
+                     .target = &job,
+                     .meaning = "the job: its handle, such as 7@3f9c2a1b, or its number",
+                     .required = true});
 }
 
 void declare_overrides(Overrides& overrides, Options& options) {

@@ -73,7 +73,8 @@ void declare_json(bool& json, Options& options);
 void declare_weights(std::string& word, Options& options);
 void declare_common(CommonOptions& common, Options& options);
 void declare_scene(std::string& scene, Options& options);
-void declare_job(std::uint64_t& job_id, Options& options);
+/// A handle or a number, for with_job.
+void declare_job(std::string& job, Options& options);
 void declare_overrides(Overrides& overrides, Options& options);
 void declare_development(DevelopmentOptions& development, const std::string& group,
                          Options& options);

@@ -57,44 +57,62 @@ void SessionHub::info(Done<v1::Info> done) {
   state_->ask<v1::Info>([](Session& session) { return session.info(); }, std::move(done));
 }
 
-void SessionHub::list(Done<v1::JobList> done) {
-  state_->ask<v1::JobList>([](Session& session) { return session.list(); }, std::move(done));
+namespace {
+
+asio::awaitable<Answer<ServerJobs>> list_jobs(Session& session) {
+  Answer<v1::JobList> list = co_await session.list();
+  if (!list) co_return tl::unexpected<SessionError>(std::move(list.error()));
+  co_return ServerJobs{server_digits(session.welcome()), std::move(*list)};
 }
 
-void SessionHub::control(Order order, std::uint64_t job_id, Done<v1::JobSummary> done) {
+asio::awaitable<Answer<v1::JobSummary>> order_of(Session& session, SessionHub::Order order,
+                                                 JobHandle job) {
+  if (const Answer<void> known = check_server(job, session.welcome()); !known)
+    co_return tl::unexpected<SessionError>(known.error());
+  switch (order) {
+    case SessionHub::Order::cancel:
+      co_return co_await session.cancel(job.number);
+    case SessionHub::Order::pause:
+      co_return co_await session.pause(job.number);
+    case SessionHub::Order::resume:
+      break;
+  }
+  co_return co_await session.resume(job.number);
+}
+
+asio::awaitable<Answer<JobHandle>> submit_held(Session& session,
+                                               std::shared_ptr<const Submission> held) {
+  const Answer<std::uint64_t> number = co_await session.submit(*held);
+  if (!number) co_return tl::unexpected<SessionError>(number.error());
+  co_return JobHandle{*number, server_digits(session.welcome())};
+}
+
+}  // namespace
+
+void SessionHub::list(Done<ServerJobs> done) {
+  state_->ask<ServerJobs>([](Session& session) { return list_jobs(session); }, std::move(done));
+}
+
+void SessionHub::control(Order order, JobHandle job, Done<v1::JobSummary> done) {
   state_->ask<v1::JobSummary>(
-      [order, job_id](Session& session) {
-        switch (order) {
-          case Order::cancel:
-            return session.cancel(job_id);
-          case Order::pause:
-            return session.pause(job_id);
-          case Order::resume:
-            break;
-        }
-        return session.resume(job_id);
-      },
+      [order, job = std::move(job)](Session& session) { return order_of(session, order, job); },
       std::move(done));
 }
 
-void SessionHub::submit(Submission submission, Done<std::uint64_t> done) {
-  const auto held = std::make_shared<Submission>(std::move(submission));
-  state_->ask<std::uint64_t>(
-      [held](Session& session) -> asio::awaitable<Answer<std::uint64_t>> {
-        const auto kept = held;
-        co_return co_await session.submit(*kept);
-      },
-      std::move(done));
+void SessionHub::submit(Submission submission, Done<JobHandle> done) {
+  const auto held = std::make_shared<const Submission>(std::move(submission));
+  state_->ask<JobHandle>([held](Session& session) { return submit_held(session, held); },
+                         std::move(done));
 }
 
-void SessionHub::record(std::uint64_t job_id, JobParts parts, std::stop_token stop,
+void SessionHub::record(JobHandle job, JobParts parts, std::stop_token stop,
                         std::function<void(const v1::JobEvent&)> on_event, Done<JobRecord> done) {
   const auto recording = std::make_shared<Recording>(Recording{.parts = parts,
                                                                .stop = std::move(stop),
                                                                .on_event = std::move(on_event),
                                                                .done = std::move(done),
                                                                .record = {}});
-  recording->record.job_id = job_id;
+  recording->record.job = std::move(job);
   asio::post(*state_->loop, [state = state_, recording] {
     if (!state->connection)
       return recording->done(session_error(SessionError::Kind::disconnected, "there is no server"));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "client/session/error.h"
+#include "client/session/job_handle.h"
 #include "client/session/job_record.h"
 #include "client/session/submission.h"
 #include "metamer/v1/jobs.pb.h"
@@ -47,6 +48,12 @@ struct ViewFrame {
   bool newest = false;            ///< It shows all that the view was told.
   v1::Frame frame;
   v1::Plan plan;  ///< What is shown and how.
+};
+
+/// The jobs that a server shows.
+struct ServerJobs {
+  std::string server;  ///< As JobHandle::server.
+  v1::JobList list;
 };
 
 /// A square of pixels of a complete frame: its side, 1 to 64, and its middle, from the upper left.
@@ -111,14 +118,16 @@ class SessionHub {
   void stop();
 
   void info(Done<v1::Info> done);
-  void list(Done<v1::JobList> done);
-  void control(Order order, std::uint64_t job_id, Done<v1::JobSummary> done);
-  void submit(Submission submission, Done<std::uint64_t> done);
+  void list(Done<ServerJobs> done);
+  /// Error, input: the session that there is now is with another server than the job's.
+  void control(Order order, JobHandle job, Done<v1::JobSummary> done);
+  void submit(Submission submission, Done<JobHandle> done);
 
   /// Watches a job from its first event: each goes to `on_event` before it is recorded, the record
   /// to `done`. `stop` ends it early, without a last event in the record. Where the session is lost
-  /// it goes on with the next event in the next session with that server.
-  void record(std::uint64_t job_id, JobParts parts, std::stop_token stop,
+  /// it goes on with the next event in the next session with that server; where another one stands
+  /// there by then, the job's numbers are not asked of it.
+  void record(JobHandle job, JobParts parts, std::stop_token stop,
               std::function<void(const v1::JobEvent&)> on_event, Done<JobRecord> done);
 
   std::shared_ptr<HubView> view(Submission submission, ViewHooks hooks);

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 
 #include "client/relight/factors.h"
 #include "client/session/error.h"
 #include "client/session/film.h"
+#include "client/session/job_handle.h"
 #include "metamer/v1/jobs.pb.h"
 #include "metamer/v1/plan.pb.h"
 
@@ -16,7 +16,7 @@ enum class JobParts { plan, picture, picture_and_factors };
 
 /// What has come of a job, event by event.
 struct JobRecord {
-  std::uint64_t job_id = 0;
+  JobHandle job;
   v1::JobEvent last;  ///< finished, failed or cancelled; none before the end.
   std::optional<v1::Plan> plan;
   std::optional<v1::Timing> prepared;     ///< What it took to the first tile, where that was said.

@@ -11,7 +11,7 @@ asio::awaitable<Answer<JobRecord>> record_job(Session& session, std::uint64_t jo
                                               std::function<void(const v1::JobEvent&)> shown,
                                               std::stop_token stop) {
   JobRecord record;
-  record.job_id = job_id;
+  record.job = {.number = job_id, .server = server_digits(session.welcome())};
   std::uint64_t next = 0;
   Answer<void> ended =
       co_await record_on(session, record, next, parts, std::move(shown), std::move(stop));
@@ -23,8 +23,9 @@ asio::awaitable<Answer<void>> record_on(Session& session, JobRecord& record, std
                                         JobParts parts,
                                         std::function<void(const v1::JobEvent&)> shown,
                                         std::stop_token stop) {
+  if (Answer<void> known = check_server(record.job, session.welcome()); !known) co_return known;
   v1::Watch request;
-  request.set_job_id(record.job_id);
+  request.set_job_id(record.job.number);
   request.set_from_sequence(next);
   request.set_tiles(parts != JobParts::plan);
   request.set_factors(parts == JobParts::picture_and_factors);

@@ -18,7 +18,8 @@ boost::asio::awaitable<Answer<JobRecord>> record_job(
     std::function<void(const v1::JobEvent&)> shown = {}, std::stop_token stop = {});
 
 /// Goes on with a record whose session was lost, from the event `next` (0: the first), as
-/// record_job does; `next` becomes the number after the last event that was taken.
+/// record_job does; `next` becomes the number after the last event that was taken. Error, input:
+/// the session is with another server than the job's; nothing is asked of it.
 boost::asio::awaitable<Answer<void>> record_on(Session& session, JobRecord& record,
                                                std::uint64_t& next, JobParts parts,
                                                std::function<void(const v1::JobEvent&)> shown,

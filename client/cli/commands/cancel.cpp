@@ -1,5 +1,5 @@
 #include "client/cli/commands.h"
-#include "client/cli/connection.h"
+#include "client/cli/named_job.h"
 #include "client/cli/shared_options.h"
 #include "client/tools/text/job_text.h"
 
@@ -8,7 +8,7 @@ namespace {
 
 struct CancelOptions {
   CommonOptions common;
-  std::vector<std::uint64_t> jobs;
+  std::vector<std::string> jobs;
   bool all = false;
 };
 
@@ -33,17 +33,16 @@ boost::asio::awaitable<ExitCode> cancel_each(Session& session, const CancelOptio
       continue;
     }
     if (report.document().contains("jobs"))
-      report.document()["jobs"].push_back(to_json(*job));
+      report.document()["jobs"].push_back(job_json(*job, session));
     else
-      report.document()["job"] = to_json(*job);
-    report.line(describe(*job));
+      report.document()["job"] = job_json(*job, session);
+    report.line(describe(*job, server_digits(session.welcome())));
   }
   co_return code;
 }
 
 boost::asio::awaitable<ExitCode> cancel_jobs(Session& session, const CancelOptions& options,
-                                             Report& report) {
-  std::vector<std::uint64_t> jobs = options.jobs;
+                                             std::vector<std::uint64_t> jobs, Report& report) {
   if (options.all) {
     const Answer<v1::JobList> list = co_await session.list(true);
     if (!list) co_return report.session_error(list.error());
@@ -56,16 +55,18 @@ boost::asio::awaitable<ExitCode> cancel_jobs(Session& session, const CancelOptio
 ExitCode run(const CancelOptions& options) {
   Report report(options.common.json);
   if (options.all != options.jobs.empty()) {
-    report.error("cancel: name jobs by their numbers, or all of one's own by --all");
+    report.error("cancel: name jobs by their handles or numbers, or all of one's own by --all");
     return report.finish(ExitCode::bad_input);
   }
-  return report.finish(with_server(options.common, report, [&](Session& session) {
-    return cancel_jobs(session, options, report);
-  }));
+  return report.finish(with_jobs(options.common, options.jobs, report,
+                                 [&](Session& session, const std::vector<std::uint64_t>& jobs) {
+                                   return cancel_jobs(session, options, jobs, report);
+                                 }));
 }
 
 void declare(CancelOptions& values, Options& options) {
-  options.push_back({.names = "job", .target = &values.jobs, .meaning = "the jobs' numbers"});
+  options.push_back(
+      {.names = "job", .target = &values.jobs, .meaning = "the jobs, by their handles or numbers"});
   options.push_back(
       {.names = "--all", .target = &values.all, .meaning = "all of one's own that have not ended"});
   declare_common(values.common, options);

@@ -15,7 +15,7 @@ using Control = boost::asio::awaitable<Answer<v1::JobSummary>> (Session::*)(std:
 
 struct ControlOptions {
   CommonOptions common;
-  std::uint64_t job_id = 0;
+  std::string job;
   Control request = nullptr;
 };
 

@@ -1,7 +1,7 @@
 #include "client/cli/commands.h"
-#include "client/cli/connection.h"
 #include "client/cli/development.h"
 #include "client/cli/follow.h"
+#include "client/cli/named_job.h"
 #include "client/cli/output/output.h"
 #include "client/cli/shared_options.h"
 
@@ -10,7 +10,7 @@ namespace {
 
 struct FetchOptions {
   CommonOptions common;
-  std::uint64_t job_id = 0;
+  std::string job;
   OutputOptions output;
   DevelopmentOptions development;  ///< In place of what the job was submitted with.
 };
@@ -24,11 +24,11 @@ boost::asio::awaitable<Answer<std::string>> job_name(Session& session, std::uint
   co_return std::string();
 }
 
-boost::asio::awaitable<ExitCode> fetch_from(Session& session, const FetchOptions& options,
-                                            Report& report) {
-  const Answer<std::string> name = co_await job_name(session, options.job_id);
+boost::asio::awaitable<ExitCode> fetch_from(Session& session, std::uint64_t job_id,
+                                            const FetchOptions& options, Report& report) {
+  const Answer<std::string> name = co_await job_name(session, job_id);
   if (!name) co_return report.session_error(name.error());
-  Answer<JobRecord> job = co_await follow(session, options.job_id, wanted(options.output));
+  Answer<JobRecord> job = co_await follow(session, job_id, wanted(options.output));
   if (!job) co_return report.session_error(job.error());
   const ExitCode code = conclude(*job, nullptr, report);
   if (code != ExitCode::done && code != ExitCode::promise_broken) co_return code;
@@ -47,13 +47,14 @@ ExitCode run(const FetchOptions& options) {
     report.error(words.error().message);
     return report.finish(ExitCode::bad_input);
   }
-  return report.finish(with_server(options.common, report, [&](Session& session) {
-    return fetch_from(session, options, report);
-  }));
+  return report.finish(
+      with_job(options.common, options.job, report, [&](Session& session, std::uint64_t job_id) {
+        return fetch_from(session, job_id, options, report);
+      }));
 }
 
 void declare(FetchOptions& values, Options& options) {
-  declare_job(values.job_id, options);
+  declare_job(values.job, options);
   declare_output(values.output, options);
   declare_development(values.development, "In place of what the job says", options);
   declare_common(values.common, options);

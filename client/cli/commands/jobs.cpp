@@ -1,5 +1,6 @@
 #include "client/cli/commands.h"
 #include "client/cli/connection.h"
+#include "client/cli/named_job.h"
 #include "client/cli/shared_options.h"
 #include "client/tools/text/job_text.h"
 
@@ -18,8 +19,8 @@ boost::asio::awaitable<ExitCode> list_jobs(Session& session, const JobsOptions& 
   if (!list) co_return report.session_error(list.error());
   report.document()["jobs"] = Json::array();
   for (const v1::JobSummary& job : list->job()) {
-    report.document()["jobs"].push_back(to_json(job));
-    report.line(describe(job));
+    report.document()["jobs"].push_back(job_json(job, session));
+    report.line(describe(job, server_digits(session.welcome())));
     const std::string waits = options.why ? waiting_text(job) : std::string();
     if (!waits.empty()) report.line(std::string(18, ' ') + waits);
   }

@@ -24,16 +24,17 @@ struct RenderOptions {
 };
 
 /// Says how to get the picture of a job that goes on without us.
-void tell_how_to_continue(const RenderOptions& options, std::uint64_t job_id, Report& report) {
-  report.document()["job_id"] = job_id;
+void tell_how_to_continue(const RenderOptions& options, const JobHandle& job, Report& report) {
+  report.document()["job_id"] = job.number;
+  report.document()["handle"] = to_text(job);
   const std::string server = server_name(options.common);
   if (server.empty()) return;  // a private server takes its jobs along
-  std::string command = "metamer fetch " + std::to_string(job_id) + " --server " + server;
+  std::string command = "metamer fetch " + to_text(job) + " --server " + server;
   for (const std::string& file : options.output.files) command += " -o " + file;
   if (options.output.png != "8") command += " --png " + options.output.png;
   if (options.output.exr != "rgb") command += " --exr " + options.output.exr;
   report.document()["continue"] = command;
-  std::cerr << "job " << job_id << " goes on there; to get its picture: " << command << '\n';
+  std::cerr << "job " << to_text(job) << " goes on there; to get its picture: " << command << '\n';
 }
 
 asio::awaitable<ExitCode> render_on(Session& session, Interrupts& interrupts,
@@ -55,7 +56,7 @@ asio::awaitable<ExitCode> render_on(Session& session, Interrupts& interrupts,
   if (!job) {
     const ExitCode code = report.session_error(job.error());
     if (job.error().kind == SessionError::Kind::disconnected)
-      tell_how_to_continue(options, *job_id, report);
+      tell_how_to_continue(options, {*job_id, server_digits(session.welcome())}, report);
     co_return code;
   }
 

@@ -19,8 +19,10 @@ boost::asio::awaitable<ExitCode> submit_to(Session& session, const CheckedScene&
                                            bool keep_factors, Report& report) {
   const auto job_id = co_await send_scene(session, scene, keep_factors, report);
   if (!job_id) co_return job_id.error();
-  report.document()["job_id"] = *job_id;
-  report.line(std::to_string(*job_id));
+  const JobHandle job{*job_id, server_digits(session.welcome())};
+  report.document()["job_id"] = job.number;
+  report.document()["handle"] = to_text(job);
+  report.line(to_text(job));
   co_return ExitCode::done;
 }
 
@@ -45,7 +47,7 @@ void declare(SubmitOptions& values, Options& options) {
 }  // namespace
 
 Command commands::submit() {
-  return make_command<SubmitOptions>("submit", "queue a scene; prints the job's number", declare,
+  return make_command<SubmitOptions>("submit", "queue a scene; prints the job's handle", declare,
                                      run);
 }
 

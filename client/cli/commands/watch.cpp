@@ -2,7 +2,7 @@
 #include <iostream>
 
 #include "client/cli/commands.h"
-#include "client/cli/connection.h"
+#include "client/cli/named_job.h"
 #include "client/cli/shared_options.h"
 #include "client/session/film.h"
 #include "client/tools/text/job_text.h"
@@ -13,7 +13,7 @@ namespace {
 
 struct WatchOptions {
   CommonOptions common;
-  std::uint64_t job_id = 0;
+  std::string job;
   std::uint64_t from = 0;
   std::string preview;  ///< A .png that is kept up to date; empty: none.
 };
@@ -38,10 +38,10 @@ ExitCode end_code(const v1::JobEvent& last) {
   }
 }
 
-boost::asio::awaitable<ExitCode> watch_job(Session& session, const WatchOptions& options,
-                                           Report& report) {
+boost::asio::awaitable<ExitCode> watch_job(Session& session, std::uint64_t job_id,
+                                           const WatchOptions& options, Report& report) {
   v1::Watch request;
-  request.set_job_id(options.job_id);
+  request.set_job_id(job_id);
   request.set_from_sequence(options.from);
   request.set_previews(!options.preview.empty());
 
@@ -56,7 +56,8 @@ boost::asio::awaitable<ExitCode> watch_job(Session& session, const WatchOptions&
       previewed = true;
     }
     if (options.common.json) {
-      std::cout << to_json(event).dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
+      std::cout << event_json(event, session).dump(-1, ' ', false, Json::error_handler_t::replace)
+                << std::endl;
     } else {
       report.line(describe(event));
     }
@@ -79,12 +80,13 @@ ExitCode run(const WatchOptions& options) {
     report.error("--preview: \"" + options.preview + "\" does not end in .png");
     return ExitCode::bad_input;
   }
-  return with_server(options.common, report,
-                     [&](Session& session) { return watch_job(session, options, report); });
+  return with_job(options.common, options.job, report, [&](Session& session, std::uint64_t job_id) {
+    return watch_job(session, job_id, options, report);
+  });
 }
 
 void declare(WatchOptions& values, Options& options) {
-  declare_job(values.job_id, options);
+  declare_job(values.job, options);
   options.push_back(
       {.names = "--from", .target = &values.from, .meaning = "the first event's number"});
   options.push_back({.names = "--preview",

@@ -13,9 +13,10 @@ namespace {
 
 void add_jobs_dock(MainWindow& window) {
   auto* jobs = new JobsDock(window.link());
-  QObject::connect(
-      jobs, &JobsDock::open_asked, &window,
-      [&window](std::uint64_t job_id, const QString& name) { show_job(window, job_id, name); });
+  QObject::connect(jobs, &JobsDock::open_asked, &window,
+                   [&window](const client::JobHandle& job, const QString& name) {
+                     show_job(window, job, name);
+                   });
   // It is opened by who wants to know of others' jobs: one's own have pages.
   window.add_dock(QStringLiteral("jobs"), JobsDock::tr("Jobs"), jobs, Qt::BottomDockWidgetArea)
       ->hide();

@@ -53,9 +53,9 @@ void CheckPage::check(const v1::Scene& scene, const std::vector<Asset>& assets,
   panel_->show_state(tr("sending"));
   client::Submission submission = client::make_submission(scene, assets, name.toStdString(), true);
   submission.request.set_prepare(true);
-  link_.submit(this, std::move(submission), [this](client::Answer<std::uint64_t> job) {
+  link_.submit(this, std::move(submission), [this](client::Answer<client::JobHandle> job) {
     if (!job) return panel_->show_error(job.error());
-    job_id_ = *job;
+    job_ = *job;
     auto* watch = new JobWatch(link_, *job, client::JobParts::plan, this);
     connect(watch, &JobWatch::event, this, [this](const auto& event) { take(*event); });
     connect(watch, &JobWatch::lost, this,
@@ -64,8 +64,8 @@ void CheckPage::check(const v1::Scene& scene, const std::vector<Asset>& assets,
 }
 
 void CheckPage::cancel() {
-  if (job_id_ == 0 || panel_->ended()) return;
-  link_.control(this, Link::Order::cancel, job_id_, [](const auto&) {});
+  if (job_.number == 0 || panel_->ended()) return;
+  link_.control(this, Link::Order::cancel, job_, [](const auto&) {});
 }
 
 void CheckPage::take(const v1::JobEvent& event) {

@@ -41,7 +41,7 @@ class CheckPage : public QWidget {
   QTableWidget* times_;
   QLabel *needed_, *unneeded_;
   QString name_;
-  std::uint64_t job_id_ = 0;
+  client::JobHandle job_;
 };
 
 }  // namespace metamer::gui

@@ -50,19 +50,19 @@ void JobPage::render(std::shared_ptr<const v1::Scene> scene, std::vector<Asset> 
   const auto why_none = no_factors(*scene_, link_.status().welcome.capabilities());
   submission.request.set_keep_factors(!why_none);
   if (why_none) panel_->add_note(*why_none);
-  link_.submit(this, std::move(submission), [this](client::Answer<std::uint64_t> job) {
+  link_.submit(this, std::move(submission), [this](client::Answer<client::JobHandle> job) {
     if (!job) return panel_->show_error(job.error());
     watch(*job, name_);
     Q_EMIT sent();
   });
 }
 
-void JobPage::watch(std::uint64_t job_id, const QString& name) {
-  job_id_ = job_id;
+void JobPage::watch(const client::JobHandle& job, const QString& name) {
+  job_ = job;
   name_ = name;
-  setToolTip(tr("Job %1").arg(job_id));
+  setToolTip(tr("Job %1").arg(QString::fromStdString(to_text(job))));
   delete watch_;
-  watch_ = new JobWatch(link_, job_id, client::JobParts::picture_and_factors, this);
+  watch_ = new JobWatch(link_, job, client::JobParts::picture_and_factors, this);
   connect(watch_, &JobWatch::event, this, [this](const auto& event) { take(*event); });
   connect(watch_, &JobWatch::grew, this, [this](const QList<ShownTile>& tiles) {
     for (const ShownTile& tile : tiles) canvas_->set_part(tile.corner, tile.image);
@@ -119,7 +119,7 @@ void JobPage::keep(const std::shared_ptr<client::JobRecord>& record) {
 void JobPage::complete(const std::shared_ptr<client::JobRecord>& record,
                        std::shared_ptr<const client::Factors> factors) {
   picture_ = Picture{.title = name_,
-                     .from = tr("job %1").arg(record->job_id),
+                     .from = tr("job %1").arg(QString::fromStdString(to_text(record->job))),
                      .xyz = {record, &record->film->image()},
                      .plan = {record, &*record->plan},
                      .factors = std::move(factors),
@@ -135,18 +135,18 @@ void JobPage::show_relit(const std::optional<Picture>& relit, const QString& not
 }
 
 void JobPage::order(Link::Order order) {
-  link_.control(this, order, job_id_, [this](client::Answer<v1::JobSummary> done) {
+  link_.control(this, order, job_, [this](client::Answer<v1::JobSummary> done) {
     if (!done) panel_->add_note(QString::fromStdString(printable(done.error().message)));
   });
 }
 
 void JobPage::pause() {
-  if (job_id_ == 0 || panel_->ended()) return;
+  if (job_.number == 0 || panel_->ended()) return;
   order(panel_->paused() ? Link::Order::resume : Link::Order::pause);
 }
 
 void JobPage::cancel() {
-  if (job_id_ == 0 || panel_->ended()) return;
+  if (job_.number == 0 || panel_->ended()) return;
   order(Link::Order::cancel);
 }
 

@@ -18,7 +18,7 @@ class JobPage : public PicturePage {
   /// Sends a scene and watches its job. `name` is for people.
   void render(std::shared_ptr<const v1::Scene> scene, std::vector<Asset> assets, QString name);
   /// Watches a job that is there.
-  void watch(std::uint64_t job_id, const QString& name);
+  void watch(const client::JobHandle& job, const QString& name);
 
   Canvas& canvas() override { return *canvas_; }
   /// As it is shown: as it was rendered, or under another look.
@@ -31,8 +31,8 @@ class JobPage : public PicturePage {
   void pause() override;
   void cancel() override;
 
-  /// 0 before the server has taken it.
-  std::uint64_t job_id() const { return job_id_; }
+  /// Its number is 0 before the server has taken it.
+  const client::JobHandle& job() const { return job_; }
   const JobPanel& panel() const { return *panel_; }
   const std::vector<Asset>& assets() const { return assets_; }
   const QString& name() const { return name_; }
@@ -43,7 +43,7 @@ class JobPage : public PicturePage {
   void titled();
   void exact_asked();  ///< The same scene by the method exact.
   void completed();    ///< picture() is there.
-  void sent();         ///< job_id() is there.
+  void sent();         ///< job() is there.
 
  private:
   void order(Link::Order order);
@@ -57,7 +57,7 @@ class JobPage : public PicturePage {
   Canvas* canvas_;
   JobPanel* panel_;
   JobWatch* watch_ = nullptr;
-  std::uint64_t job_id_ = 0;
+  client::JobHandle job_;
   QString name_;
   std::shared_ptr<const v1::Scene> scene_;
   std::vector<Asset> assets_;

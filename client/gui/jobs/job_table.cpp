@@ -34,7 +34,13 @@ bool has_ended(v1::JobState state) {
   return false;
 }
 
-void JobTable::set_jobs(const v1::JobList& list) {
+void JobTable::set_jobs(const v1::JobList& list, const std::string& server) {
+  if (server != server_) {
+    beginResetModel();
+    jobs_.clear();
+    server_ = server;
+    endResetModel();
+  }
   const auto is_listed = [&](const v1::JobSummary& job) {
     return std::any_of(list.job().begin(), list.job().end(),
                        [&](const v1::JobSummary& one) { return one.job_id() == job.job_id(); });
@@ -61,8 +67,8 @@ void JobTable::set_jobs(const v1::JobList& list) {
   }
 }
 
-void JobTable::add_own(std::uint64_t job_id) {
-  own_.insert(job_id);
+void JobTable::add_own(const client::JobHandle& job) {
+  own_.insert(job);
   if (!jobs_.empty()) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
 }
 
@@ -76,12 +82,12 @@ int JobTable::columnCount(const QModelIndex& parent) const {
 QString JobTable::text(const v1::JobSummary& job, int column) const {
   switch (column) {
     case number:
-      return QString::number(job.job_id());
+      return QString::fromStdString(to_text(handle_of(job)));
     case name:
       return table_text(job.name());
     case state:
-      return is_own(job.job_id()) ? tr("%1, mine").arg(QString::fromUtf8(client::word(job.state())))
-                                  : QString::fromUtf8(client::word(job.state()));
+      return is_own(job) ? tr("%1, mine").arg(QString::fromUtf8(client::word(job.state())))
+                         : QString::fromUtf8(client::word(job.state()));
     case done:
       return job.tiles() > 0 ? tr("%1 %").arg(share_done(job), 0, 'f', 0) : QStringLiteral("-");
     case age:
@@ -137,7 +143,7 @@ void JobFilter::set_hide_ended(bool hide) {
 
 bool JobFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
   const v1::JobSummary& job = table_.job(row);
-  if (own_only_ && !table_.is_own(job.job_id())) return false;
+  if (own_only_ && !table_.is_own(job)) return false;
   if (hide_ended_ && has_ended(job.state())) return false;
   QString all;
   for (int column = 0; column < JobTable::columns; ++column)

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <QAbstractTableModel>
-#include <QSet>
 #include <QSortFilterProxyModel>
+#include <set>
+#include <string>
 #include <vector>
 
+#include "client/session/job_handle.h"
 #include "metamer/v1/jobs.pb.h"
 
 namespace metamer::gui {
@@ -19,11 +21,14 @@ class JobTable : public QAbstractTableModel {
   enum Column { number, name, state, done, age, reason, columns };
   using QAbstractTableModel::QAbstractTableModel;
 
-  /// The newest list, by rising numbers. Rows of jobs that were there before stay.
-  void set_jobs(const v1::JobList& list);
+  /// The newest list, by rising numbers, of a server (as JobHandle::server). Rows of jobs that were
+  /// there before stay; of another server none were.
+  void set_jobs(const v1::JobList& list, const std::string& server = {});
   /// A job that this window sent.
-  void add_own(std::uint64_t job_id);
-  bool is_own(std::uint64_t job_id) const { return own_.contains(job_id); }
+  void add_own(const client::JobHandle& job);
+  bool is_own(const v1::JobSummary& job) const { return own_.contains(handle_of(job)); }
+  /// Of one that is listed.
+  client::JobHandle handle_of(const v1::JobSummary& job) const { return {job.job_id(), server_}; }
   const v1::JobSummary& job(int row) const { return jobs_[static_cast<std::size_t>(row)]; }
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -38,7 +43,8 @@ class JobTable : public QAbstractTableModel {
   QString text(const v1::JobSummary& job, int column) const;
 
   std::vector<v1::JobSummary> jobs_;
-  QSet<quint64> own_;
+  std::string server_;
+  std::set<client::JobHandle> own_;
 };
 
 /// Those of them that somebody wants to see.

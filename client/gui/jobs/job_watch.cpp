@@ -77,7 +77,7 @@ QSize grown_size(const QSize& picture) {
   return {(picture.width() + side - 1) / side, (picture.height() + side - 1) / side};
 }
 
-JobWatch::JobWatch(Link& link, std::uint64_t job_id, client::JobParts parts, QObject* parent)
+JobWatch::JobWatch(Link& link, client::JobHandle job, client::JobParts parts, QObject* parent)
     : QObject(parent) {
   const QPointer<QObject> self(this);
   const auto growth = std::make_shared<Growth>();
@@ -111,7 +111,7 @@ JobWatch::JobWatch(Link& link, std::uint64_t job_id, client::JobParts parts, QOb
   };
   std::stop_source stop;
   connect(this, &QObject::destroyed, this, [stop]() mutable { stop.request_stop(); });
-  link.hub().record(job_id, parts, stop.get_token(), on_event, done);
+  link.hub().record(std::move(job), parts, stop.get_token(), on_event, done);
 }
 
 }  // namespace metamer::gui

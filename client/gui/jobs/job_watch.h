@@ -29,7 +29,7 @@ struct ShownTile {
 class JobWatch : public QObject {
   Q_OBJECT
  public:
-  JobWatch(Link& link, std::uint64_t job_id, client::JobParts parts, QObject* parent);
+  JobWatch(Link& link, client::JobHandle job, client::JobParts parts, QObject* parent);
 
  Q_SIGNALS:
   /// All but tiles and previews. Planned: the picture begins anew.

@@ -63,7 +63,7 @@ JobsDock::JobsDock(Link& link, QWidget* parent)
   connect(ended, &QCheckBox::toggled, &filter_, &JobFilter::set_hide_ended);
   const auto open = [this] {
     if (const v1::JobSummary* job = chosen())
-      Q_EMIT open_asked(job->job_id(), QString::fromStdString(printable(job->name())));
+      Q_EMIT open_asked(table_.handle_of(*job), QString::fromStdString(printable(job->name())));
   };
   connect(open_, &QPushButton::clicked, this, open);
   connect(view_, &QTableView::doubleClicked, this, open);
@@ -90,13 +90,13 @@ void JobsDock::hideEvent(QHideEvent*) { timer_.stop(); }
 /// One question at a time: a server that is slow is not asked more.
 void JobsDock::update_now() {
   if (!link_.ready() || std::exchange(asked_, true)) return;
-  link_.list(this, [this](client::Answer<v1::JobList> list) {
+  link_.list(this, [this](client::Answer<client::ServerJobs> jobs) {
     asked_ = false;
-    note_->setVisible(!list);
-    if (list)
-      table_.set_jobs(*list);
+    note_->setVisible(!jobs);
+    if (jobs)
+      table_.set_jobs(jobs->list, jobs->server);
     else
-      note_->setText(QString::fromStdString(printable(list.error().message)));
+      note_->setText(QString::fromStdString(printable(jobs.error().message)));
     show_choices();
   });
 }
@@ -118,7 +118,7 @@ void JobsDock::show_choices() {
 void JobsDock::order(Link::Order order) {
   const v1::JobSummary* job = chosen();
   if (job == nullptr) return;
-  link_.control(this, order, job->job_id(), [this](client::Answer<v1::JobSummary> done) {
+  link_.control(this, order, table_.handle_of(*job), [this](client::Answer<v1::JobSummary> done) {
     note_->setVisible(!done);
     if (!done) note_->setText(QString::fromStdString(printable(done.error().message)));
     update_now();
@@ -129,7 +129,7 @@ void JobsDock::order(Link::Order order) {
 void JobsDock::cancel() {
   const v1::JobSummary* job = chosen();
   if (job == nullptr) return;
-  if (!table_.is_own(job->job_id()) &&
+  if (!table_.is_own(*job) &&
       QMessageBox::question(
           this, tr("Cancel"),
           tr("%1 was not sent by this window. What is rendered of it will be lost.")

@@ -23,7 +23,7 @@ class JobsDock : public QWidget {
   void update_now();
 
  Q_SIGNALS:
-  void open_asked(std::uint64_t job_id, const QString& name);
+  void open_asked(const client::JobHandle& job, const QString& name);
 
  protected:
   void showEvent(QShowEvent*) override;

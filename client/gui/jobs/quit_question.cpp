@@ -52,14 +52,14 @@ bool QuitQuestion::eventFilter(QObject*, QEvent* event) {
 void QuitQuestion::look() {
   listed_ = false;
   timer_.start(patience);
-  window_.link().list(this, [this](const client::Answer<v1::JobList>& list) { take(list); });
+  window_.link().list(this, [this](const client::Answer<client::ServerJobs>& jobs) { take(jobs); });
 }
 
-void QuitQuestion::take(const client::Answer<v1::JobList>& list) {
+void QuitQuestion::take(const client::Answer<client::ServerJobs>& listed) {
   listed_ = true;
   timer_.stop();
   if (state_ == State::open || state_ == State::closing) return;
-  const QString jobs = list ? unended_jobs(*list) : QString();
+  const QString jobs = listed ? unended_jobs(listed->list) : QString();
   if (jobs.isEmpty()) return close();
   ask(jobs);
   timer_.start(between_looks);

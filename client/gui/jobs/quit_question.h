@@ -24,7 +24,7 @@ class QuitQuestion : public QObject {
 
  private:
   void look();
-  void take(const client::Answer<v1::JobList>& list);
+  void take(const client::Answer<client::ServerJobs>& jobs);
   void ask(const QString& jobs);
   void answer(QMessageBox* box);
   void close();

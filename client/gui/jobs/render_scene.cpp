@@ -60,7 +60,7 @@ JobPage* render_scene(MainWindow& window, const std::shared_ptr<const v1::Scene>
   JobPage* page = add_page(window);
   QObject::connect(page, &JobPage::sent, &window, [&window, page] {
     if (auto* jobs = window.findChild<JobsDock*>()) {
-      jobs->table().add_own(page->job_id());
+      jobs->table().add_own(page->job());
       if (jobs->isVisible()) jobs->update_now();
     }
   });
@@ -70,15 +70,15 @@ JobPage* render_scene(MainWindow& window, const std::shared_ptr<const v1::Scene>
   return page;
 }
 
-JobPage* show_job(MainWindow& window, std::uint64_t job_id, const QString& name) {
+JobPage* show_job(MainWindow& window, const client::JobHandle& job, const QString& name) {
   for (int i = 0; i < window.pictures().count(); ++i)
     if (auto* there = qobject_cast<JobPage*>(window.pictures().widget(i));
-        there != nullptr && there->job_id() == job_id) {
+        there != nullptr && there->job() == job) {
       window.show_picture(there, there->title());
       return there;
     }
   JobPage* page = add_page(window);
-  page->watch(job_id, name);
+  page->watch(job, name);
   window.show_picture(page, page->title());
   return page;
 }

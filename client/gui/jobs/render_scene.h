@@ -20,7 +20,7 @@ void log_page(MainWindow& window, const Page& page) {
 JobPage* render_scene(MainWindow& window, const std::shared_ptr<const v1::Scene>& scene,
                       const std::vector<Asset>& assets, const QString& name);
 /// Shows a job of the server's: in the page that it has, else in a new one.
-JobPage* show_job(MainWindow& window, std::uint64_t job_id, const QString& name);
+JobPage* show_job(MainWindow& window, const client::JobHandle& job, const QString& name);
 
 /// Does it when the newest text of the scene in front is checked: at once, or as soon as it is.
 void when_checked(MainWindow& window, const std::function<void()>& done);

@@ -82,24 +82,25 @@ void Link::info(QObject* context, Done<v1::Info> done) {
   hub_->info(here(context, "GetInfo", std::move(done)));
 }
 
-void Link::list(QObject* context, Done<v1::JobList> done) {
+void Link::list(QObject* context, Done<client::ServerJobs> done) {
   hub_->list(here(context, "ListJobs", std::move(done)));
 }
 
-void Link::control(QObject* context, Order order, std::uint64_t job_id, Done<v1::JobSummary> done) {
-  hub_->control(order, job_id, here(context, message_of(order), std::move(done)));
+void Link::control(QObject* context, Order order, client::JobHandle job,
+                   Done<v1::JobSummary> done) {
+  hub_->control(order, std::move(job), here(context, message_of(order), std::move(done)));
 }
 
-void Link::submit(QObject* context, client::Submission submission, Done<std::uint64_t> done) {
+void Link::submit(QObject* context, client::Submission submission, Done<client::JobHandle> done) {
   hub_->submit(std::move(submission), here(context, "Submit", std::move(done)));
 }
 
-void Link::record(QObject* context, std::uint64_t job_id, client::JobParts parts,
+void Link::record(QObject* context, client::JobHandle job, client::JobParts parts,
                   std::function<void(const v1::JobEvent&)> on_event, Done<client::JobRecord> done) {
   std::stop_source stop;
   connect(context, &QObject::destroyed, this, [stop]() mutable { stop.request_stop(); });
   hub_->record(
-      job_id, parts, stop.get_token(),
+      std::move(job), parts, stop.get_token(),
       [this, context = QPointer<QObject>(context), on_event = std::move(on_event)](
           const v1::JobEvent& event) { deliver(context, [on_event, event] { on_event(event); }); },
       here(context, "Watch", std::move(done)));

@@ -37,11 +37,11 @@ class Link : public QObject {
 
   /// Requests: `done` is called in this thread, unless `context` has gone.
   void info(QObject* context, Done<v1::Info> done);
-  void list(QObject* context, Done<v1::JobList> done);
-  void control(QObject* context, Order order, std::uint64_t job_id, Done<v1::JobSummary> done);
-  void submit(QObject* context, client::Submission submission, Done<std::uint64_t> done);
+  void list(QObject* context, Done<client::ServerJobs> done);
+  void control(QObject* context, Order order, client::JobHandle job, Done<v1::JobSummary> done);
+  void submit(QObject* context, client::Submission submission, Done<client::JobHandle> done);
   /// Each event of a job, then its record. Ends when `context` goes.
-  void record(QObject* context, std::uint64_t job_id, client::JobParts parts,
+  void record(QObject* context, client::JobHandle job, client::JobParts parts,
               std::function<void(const v1::JobEvent&)> on_event, Done<client::JobRecord> done);
 
   client::SessionHub& hub() { return *hub_; }

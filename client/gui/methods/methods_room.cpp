@@ -174,7 +174,7 @@ void MethodsRoom::ask(bool choice_only) {
     if (document) take_job(*document, *scene, *job, choice_only);
   };
   window_.link().submit(this, std::move(submission),
-                        [this, fail, take](client::Answer<std::uint64_t> job) {
+                        [this, fail, take](client::Answer<client::JobHandle> job) {
                           if (!job)
                             return fail(QString::fromStdString(printable(job.error().message)));
                           window_.link().record(

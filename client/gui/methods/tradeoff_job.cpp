@@ -35,7 +35,7 @@ TradeoffJob::TradeoffJob(Link& link, std::shared_ptr<const v1::Scene> scene,
 TradeoffJob::~TradeoffJob() { order_cancel(); }
 
 void TradeoffJob::order_cancel() {
-  if (job_id_ != 0) link_.hub().control(Link::Order::cancel, job_id_, [](const auto&) {});
+  if (job_.number != 0) link_.hub().control(Link::Order::cancel, job_, [](const auto&) {});
 }
 
 void TradeoffJob::cancel() {
@@ -49,7 +49,7 @@ void TradeoffJob::begin_next() {
   std::optional<client::Submission> submission = steps.next();
   if (!submission) return Q_EMIT finished(std::make_shared<const client::Tradeoff>(steps.so_far()));
   Q_EMIT begun(steps.jobs_done() + 1, steps.jobs(), QString::fromStdString(steps.due()));
-  link_.submit(this, std::move(*submission), [this](client::Answer<std::uint64_t> job) {
+  link_.submit(this, std::move(*submission), [this](client::Answer<client::JobHandle> job) {
     if (job) return watch(*job);
     if (job.error().kind == client::SessionError::Kind::refused)
       return take(shared_->steps.refused(job.error().message));
@@ -58,13 +58,13 @@ void TradeoffJob::begin_next() {
   });
 }
 
-void TradeoffJob::watch(std::uint64_t job_id) {
-  job_id_ = job_id;
+void TradeoffJob::watch(const client::JobHandle& job) {
+  job_ = job;
   if (cancelled_) order_cancel();  // it was asked for while the job was on its way
   link_.record(
-      this, job_id, client::JobParts::picture, [](const v1::JobEvent&) {},
+      this, job, client::JobParts::picture, [](const v1::JobEvent&) {},
       [this](client::Answer<client::JobRecord> job) {
-        job_id_ = 0;
+        job_ = {};
         if (!job)
           return take(tl::unexpected<client::TradeoffStop>(
               {.kind = client::TradeoffStop::Kind::session, .error = std::move(job.error())}));

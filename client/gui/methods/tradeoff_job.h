@@ -43,13 +43,13 @@ class TradeoffJob : public QObject {
   using Done = tl::expected<void, client::TradeoffStop>;
 
   void begin_next();
-  void watch(std::uint64_t job_id);
+  void watch(const client::JobHandle& job);
   void take(const Done& done);
   void order_cancel();
 
   Link& link_;
   std::shared_ptr<Shared> shared_;
-  std::uint64_t job_id_ = 0;  ///< Under way; 0: none is.
+  client::JobHandle job_;  ///< Under way.
   bool cancelled_ = false;
 };
 

@@ -75,7 +75,7 @@ void SheetBaseFinder::render(const v1::Scene& scene) {
       *sent, window_.document()->sound()->assets(), tr("metamerism sheet").toStdString(), false);
   submission.request.set_keep_factors(true);
   window_.link().submit(this, std::move(submission),
-                        [this, number = asked_, sent](client::Answer<std::uint64_t> job) {
+                        [this, number = asked_, sent](client::Answer<client::JobHandle> job) {
                           if (number != asked_) return;
                           if (!job)
                             return Q_EMIT failed(QString::fromStdString(job.error().message));
@@ -83,7 +83,7 @@ void SheetBaseFinder::render(const v1::Scene& scene) {
                         });
 }
 
-void SheetBaseFinder::watch(std::uint64_t job, unsigned number,
+void SheetBaseFinder::watch(const client::JobHandle& job, unsigned number,
                             std::shared_ptr<const v1::Scene> scene) {
   const auto files = window_.document() == nullptr ? nullptr : window_.document()->sound();
   if (!files) return;

@@ -24,7 +24,7 @@ class SheetBaseFinder : public QObject {
 
  private:
   void render(const v1::Scene& scene);
-  void watch(std::uint64_t job, unsigned number, std::shared_ptr<const v1::Scene> scene);
+  void watch(const client::JobHandle& job, unsigned number, std::shared_ptr<const v1::Scene> scene);
 
   MainWindow& window_;
   std::shared_ptr<const SheetBase> kept_;  ///< That was rendered for it.

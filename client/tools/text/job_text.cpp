@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "client/session/job_handle.h"
 #include "client/tools/text/formatted.h"
 #include "common/printable.h"
 #include "common/scene/methods.h"
@@ -136,10 +137,10 @@ const char* word(v1::Preparing::Stage stage) {
   }
 }
 
-std::string describe(const v1::JobSummary& job) {
+std::string describe(const v1::JobSummary& job, const std::string& server) {
   std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), "%16llu  %-9s  %11s  %8s  %-3s  ",
-                static_cast<unsigned long long>(job.job_id()), word(job.state()),
+  std::snprintf(text.data(), text.size(), "%16s  %-9s  %11s  %8s  %-3s  ",
+                to_text({job.job_id(), server}).c_str(), word(job.state()),
                 job.tiles() > 0 ? tiles(job.tiles_done(), job.tiles()).c_str() : "-",
                 clock(job.age()).c_str(), job.backend() == v1::GL ? "gl" : "cpu");
   const std::string user = job.user().empty() ? "-" : printable(job.user());

@@ -14,9 +14,9 @@ std::string describe(const v1::Plan& plan);
 std::string describe(const v1::Timing& timing);
 /// "0.120 s reading, 0.031 s hierarchy, 0.000 s choosing, 0.004 s tables": before the first tile.
 std::string prepared_text(const v1::Timing& timing);
-/// "  7  running   120/300  0:42  cpu  alice  booth.txtpb": number, state, tiles, age, backend,
-/// whose, name, and why it failed.
-std::string describe(const v1::JobSummary& job);
+/// "7@3f9c2a1b  running   120/300  0:42  cpu  alice  booth.txtpb": handle, state, tiles, age,
+/// backend, whose, name, and why it failed. `server`: as JobHandle::server.
+std::string describe(const v1::JobSummary& job, const std::string& server);
 /// "waits: 2 of the same user's are ahead"; empty where it waits for nothing.
 std::string waiting_text(const v1::JobSummary& job);
 /// "12  3.204 s  progress 120/300 tiles, 1200000 rays": one line, no pixels.

@@ -29,7 +29,7 @@ TEST(Terminal, IsNotCommandedByWhatAServerSays) {
       "1A");
   job.set_state(v1::FAILED);
   job.set_user("\x1b[31mu");
-  const std::string line = client::describe(job);
+  const std::string line = client::describe(job, "");
   EXPECT_EQ(line.find('\x1b'), std::string::npos);
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();

@@ -157,13 +157,13 @@ TEST(LiveView, IsOpenedAnewForAnotherSceneByAServerThatCannotReplaceOne) {
 
 /// A hub on a server, and the events of job 7 that it hears.
 struct Recorded {
-  explicit Recorded(const std::string& server)
+  explicit Recorded(const std::string& server, const JobHandle& job = {7, {}})
       : hub([this](const LinkStatus& status) { statuses.add(status); }) {
     hub.open(server);
     EXPECT_TRUE(
         statuses.wait([](const auto& all) { return is_last(all, LinkStatus::Kind::ready); }));
     hub.record(
-        7, JobParts::plan, {}, [this](const v1::JobEvent& one) { seen.add(one.sequence()); },
+        job, JobParts::plan, {}, [this](const v1::JobEvent& one) { seen.add(one.sequence()); },
         [this](Answer<JobRecord> record) { done.add(std::move(record)); });
   }
   Came<LinkStatus> statuses;
@@ -208,6 +208,51 @@ TEST(SessionHub, AJobThatTheNextServerDoesNotKnowHasEndedWithTheOneBefore) {
     ASSERT_TRUE(job.done.wait([](const auto& all) { return all.size() == 1; }));
     ASSERT_FALSE(job.done.all()[0]);
     EXPECT_EQ(job.done.all()[0].error().message, "the job ended with the server that had it");
+  });
+}
+
+TEST(SessionHub, AsksNoOtherServerThatStandsThereLaterForAJobOfTheSameNumber) {
+  Came<char> greeted, asked;
+  FakeServer server([&](const v1::Envelope& request) -> Envelopes {
+    v1::Envelope answer;
+    if (request.has_hello()) {
+      // The one of the state that was thrown away, then another.
+      const char id = greeted.all().empty() ? 'a' : 'b';
+      greeted.add(id);
+      answer = welcome();
+      answer.mutable_welcome()->set_server_id(std::string(16, id));
+      return {answer};
+    }
+    if (request.has_watch() || request.has_cancel()) asked.add(greeted.all().back());
+    if (request.has_watch()) return {event(3), v1::Envelope()};
+    if (request.has_cancel()) answer.mutable_job_summary()->set_job_id(7);
+    if (request.has_list_jobs()) answer.mutable_job_list()->add_job()->set_job_id(7);
+    if (request.has_ping()) answer.mutable_pong();
+    return {answer};
+  });
+  server.beside([&](const std::string& address) {
+    const JobHandle first{7, "61616161616161616161616161616161"};
+    Recorded job(address, first);
+    ASSERT_TRUE(job.done.wait([](const auto& all) { return all.size() == 1; }));
+    ASSERT_FALSE(job.done.all()[0]);
+    EXPECT_EQ(job.done.all()[0].error().kind, SessionError::Kind::input);
+
+    Came<Answer<v1::JobSummary>> cancelled;
+    Came<Answer<ServerJobs>> listed;
+    job.hub.control(SessionHub::Order::cancel, first,
+                    [&](Answer<v1::JobSummary> answer) { cancelled.add(std::move(answer)); });
+    job.hub.list([&](Answer<ServerJobs> jobs) { listed.add(std::move(jobs)); });
+    ASSERT_TRUE(listed.wait([](const auto& all) { return all.size() == 1; }));
+    ASSERT_TRUE(cancelled.wait([](const auto& all) { return all.size() == 1; }));
+    EXPECT_FALSE(cancelled.all()[0]);
+    ASSERT_TRUE(listed.all()[0]);
+    EXPECT_EQ(listed.all()[0]->server, "62626262626262626262626262626262");
+    EXPECT_EQ(asked.all(), std::vector<char>{'a'});
+
+    job.hub.control(SessionHub::Order::cancel, {7, listed.all()[0]->server},
+                    [&](Answer<v1::JobSummary> answer) { cancelled.add(std::move(answer)); });
+    ASSERT_TRUE(cancelled.wait([](const auto& all) { return all.size() == 2; }));
+    EXPECT_TRUE(cancelled.all()[1]);
   });
 }
 

@@ -21,7 +21,7 @@ TEST(SessionHub, SaysThatThereIsNoServer) {
   Came<LinkStatus> statuses;
   SessionHub hub([&](const LinkStatus& status) { statuses.add(status); });
   Came<bool> answers;
-  hub.list([&](Answer<v1::JobList> list) { answers.add(list.has_value()); });
+  hub.list([&](Answer<ServerJobs> list) { answers.add(list.has_value()); });
   EXPECT_TRUE(answers.wait([](const auto& all) { return all == std::vector<bool>{false}; }));
   hub.open("unix:/nobody/listens/here");
   EXPECT_TRUE(statuses.wait([](const auto& all) { return is_last(all, LinkStatus::Kind::lost); }));

@@ -47,6 +47,27 @@ TEST(JobTable, KeepsRowsOfJobsThatStayAndOrdersByNumber) {
   EXPECT_EQ(table.rowCount(), 0);
 }
 
+TEST(JobTable, AJobOfAnotherServerIsAnotherThoughItsNumberIsTheSame) {
+  gui::JobTable table;
+  const QAbstractItemModelTester tester(&table,
+                                        QAbstractItemModelTester::FailureReportingMode::Fatal);
+  const std::string first(32, 'a'), second(32, 'b');
+  table.set_jobs(list_of({summary(7, "a", v1::RUNNING)}), first);
+  table.add_own({7, first});
+  const QPersistentModelIndex row = table.index(0, 0);
+  EXPECT_TRUE(table.is_own(table.job(0)));
+  EXPECT_EQ(row.data().toString(), QStringLiteral("7@aaaaaaaa"));
+
+  table.set_jobs(list_of({summary(7, "b", v1::RUNNING)}), second);
+  ASSERT_EQ(table.rowCount(), 1);
+  EXPECT_FALSE(row.isValid()) << "who has chosen it has chosen none of the new ones";
+  EXPECT_FALSE(table.is_own(table.job(0)));
+  EXPECT_NE(table.handle_of(table.job(0)), (client::JobHandle{7, first}));
+
+  table.set_jobs(list_of({summary(7, "a", v1::RUNNING)}), first);
+  EXPECT_TRUE(table.is_own(table.job(0)));
+}
+
 TEST(JobTable, ANameCannotCommandTheWindow) {
   gui::JobTable table;
   table.set_jobs(list_of({summary(1, "two\nlines", v1::RUNNING)}));
@@ -68,7 +89,7 @@ TEST(JobFilter, KeepsWhatHasAllWordsAndIsWanted) {
   EXPECT_EQ(filter.rowCount(), 2);
   filter.set_own_only(true);
   EXPECT_EQ(filter.rowCount(), 0);
-  table.add_own(3);
+  table.add_own({3, {}});
   EXPECT_EQ(filter.rowCount(), 1);
 }
 
@@ -105,7 +126,7 @@ TEST(JobsDock, ListsAJobOpensItsPictureAndAsksBeforeItCancelsAnothers) {
   auto* page = test.job();
   ASSERT_NE(page, nullptr);
   ASSERT_TRUE(comes([&] { return jobs->table().rowCount() == 1; }));
-  EXPECT_TRUE(jobs->table().is_own(page->job_id()));
+  EXPECT_TRUE(jobs->table().is_own(jobs->table().job(0)));
 
   // Its picture is the page that is there already.
   jobs->view().selectionModel();

@@ -55,14 +55,14 @@ TEST(JobLine, HoldsWhatAListNeeds) {
   job.set_age(42);
   job.set_reason("the worker was lost");
   EXPECT_EQ(
-      describe(job),
+      describe(job, ""),
       "               7  failed         120/300      0:42  cpu  -  booth.txtpb  (the worker was "
       "lost)");
   job.set_user("alice");
   job.set_backend(v1::GL);
   job.set_state(v1::QUEUED);
-  EXPECT_EQ(describe(job),
-            "               7  queued         120/300      0:42  gl   alice  booth.txtpb");
+  EXPECT_EQ(describe(job, "3f9c2a1b070707070707070707070707"),
+            "      7@3f9c2a1b  queued         120/300      0:42  gl   alice  booth.txtpb");
 }
 
 TEST(JobLine, SaysWhatAJobWaitsFor) {

@@ -1,0 +1,110 @@
+// Jobs as people name them: no command asks a server for another one's.
+#include <gtest/gtest.h>
+
+#include "said.h"
+#include "tests/client/session/fake_server.h"
+
+namespace metamer::cli {
+namespace {
+
+using test::FakeServer;
+
+constexpr const char* handle = "7@61616161";
+constexpr const char* others = "7@62626262";
+
+/// Answers each request about job 7, which is finished, and keeps what it was asked.
+struct Server {
+  std::vector<v1::Envelope::BodyCase> asked;
+
+  std::vector<v1::Envelope> operator()(const v1::Envelope& request) {
+    v1::Envelope answer;
+    if (request.has_hello()) {
+      answer = test::welcome();
+      answer.mutable_welcome()->set_server_id(std::string(16, 'a'));
+      return {answer};
+    }
+    asked.push_back(request.body_case());
+    if (request.has_list_jobs()) answer.mutable_job_list()->add_job()->set_job_id(7);
+    if (request.has_watch()) answer = test::last_event(1);
+    if (request.has_watch()) answer.mutable_job_event()->set_job_id(7);
+    if (answer.body_case() == v1::Envelope::BODY_NOT_SET)
+      answer.mutable_job_summary()->set_job_id(7);
+    return {answer};
+  }
+};
+
+using Words = std::vector<std::string>;
+
+/// What each command that takes a job says of the one that is named so.
+std::vector<Words> commands_on(const std::string& job) {
+  return {{"fetch", job, "-o", "never.png"},
+          {"watch", job},
+          {"cancel", job},
+          {"cancel", "1", job},
+          {"pause", job},
+          {"resume", job},
+          {"priority", job, "5"}};
+}
+
+TEST(NamedJob, OfAnotherServerIsAnErrorBeforeAnythingIsAsked) {
+  Server answers;
+  FakeServer server([&](const v1::Envelope& request) { return answers(request); });
+  server.beside([&](const std::string& address) {
+    for (Words words : commands_on(others)) {
+      words.insert(words.end(), {"--server", address});
+      const Said said = say(words);
+      EXPECT_EQ(said.code, ExitCode::bad_input) << words[0];
+      EXPECT_EQ(said.err,
+                "error: job 7@62626262 is of another server: this one's end in @61616161\n");
+    }
+  });
+  EXPECT_TRUE(answers.asked.empty());
+}
+
+TEST(NamedJob, IsFoundByItsHandleAndByItsNumber) {
+  for (const std::string job : {"7", handle, "7@61616161616161616161616161616161"}) {
+    Server answers;
+    FakeServer server([&](const v1::Envelope& request) { return answers(request); });
+    server.beside([&](const std::string& address) {
+      for (Words words : commands_on(job)) {
+        words.insert(words.end(), {"--server", address});
+        const Said said = say(words);
+        const bool watches = words[0] == "fetch" || words[0] == "watch";
+        EXPECT_EQ(said.code, watches ? ExitCode::cancelled : ExitCode::done)
+            << words[0] << ": " << said.err;
+      }
+    });
+    EXPECT_EQ(answers.asked.size(), commands_on(job).size() + 2)
+        << "fetch asks for its name too, and one cancels two";
+  }
+}
+
+TEST(NamedJob, ByWordsThatAreNoneIsAnErrorWithoutAServer) {
+  for (Words words : commands_on("7@x")) {
+    words.insert(words.end(), {"--server", "unix:/nobody/listens/here"});
+    const Said said = say(words);
+    EXPECT_EQ(said.code, ExitCode::bad_input) << words[0];
+    EXPECT_NE(said.err.find("\"7@x\" is no job"), std::string::npos) << said.err;
+  }
+}
+
+TEST(NamedJob, IsListedAsItIsNamed) {
+  Server answers;
+  FakeServer server([&](const v1::Envelope& request) { return answers(request); });
+  server.beside([&](const std::string& address) {
+    EXPECT_NE(say({"jobs", "--server", address}).out.find(handle), std::string::npos);
+    const auto listed = say({"jobs", "--json", "--server", address}).json();
+    EXPECT_EQ(listed["server_id"], "61616161616161616161616161616161");
+    EXPECT_EQ(listed["jobs"][0]["job_id"], 7);
+    EXPECT_EQ(listed["jobs"][0]["handle"], handle);
+    const auto event = say({"watch", "7", "--json", "--server", address}).json();
+    EXPECT_EQ(event["job_id"], 7);
+    EXPECT_EQ(event["handle"], handle);
+    EXPECT_EQ(event["server_id"], listed["server_id"]);
+    const auto paused = say({"pause", handle, "--json", "--server", address}).json();
+    EXPECT_EQ(paused["job"]["handle"], handle);
+  });
+}
+
+}  // namespace
+}  // namespace metamer::cli
