@@ -34,7 +34,6 @@ class View:
         self._lock = asyncio.Lock()
         self._view_id = 0
         self._revision = 0  # of the newest change
-        self._shown = 0  # of the newest that was carried out: frames carry it
         self._asked = 0
         self._bands: list[views_pb2.FrameBand] = []
         self._newest: Frame | None = None
@@ -85,8 +84,8 @@ class View:
                     self._asked = 1
                     await self._exchange.send(views_pb2.NextFrame(view_id=self._view_id, xyz=xyz), "next_frame")
                 frame = await self._read("frame")
-                # One that was asked for by a call that was given up may be of another kind.
-                if self._newest is frame and not (xyz and frame.facts.complete and frame.xyz is None):
+                # One that a call without asked for, and gave up, comes again with them.
+                if not (xyz and frame.facts.complete and frame.xyz is None):
                     return frame
 
     async def frames(self, xyz: bool = False) -> AsyncIterator[Frame]:
@@ -130,7 +129,7 @@ class View:
                 continue  # of a call that was given up
             if isinstance(said, views_pb2.ViewRefused):
                 raise InputError("the view stays as it was", said.problem)
-            self._newest, self._shown = None, revision
+            self._newest = None
             if said.HasField("plan"):
                 self.plan = said.plan
             return said
@@ -169,10 +168,8 @@ class View:
         width, height = bands[0].width, bands[0].height
         rgb = pixels(b"".join(band.rgb for band in bands), width, height, "u1")
         xyz = b"".join(band.xyz for band in bands)
-        frame = Frame(rgb, pixels(xyz, width, height, "<f4") if xyz else None, facts)
-        if facts.revision == self._shown:
-            self._newest = frame
-        return frame
+        self._newest = Frame(rgb, pixels(xyz, width, height, "<f4") if xyz else None, facts)
+        return self._newest
 
 
 async def open_view(connection: Connection, scene_sha256: bytes, files: list[jobs_pb2.AssetName], backend: int) -> View:

@@ -1,5 +1,6 @@
 """What a server may say wrongly, or never: a false server on a Unix socket says it."""
 import asyncio
+import contextlib
 import os
 import pathlib
 import struct
@@ -166,6 +167,20 @@ class TheWay(unittest.TestCase):
             server_owner.check_server_owner(12345, "/tmp/x")  # anybody may have made it
         with tempfile.TemporaryDirectory(dir="/var/tmp") as folder, self.assertRaises(errors.NoServer):
             server_owner.check_server_owner(12345, f"{folder}/s")
+
+    def test_a_socket_is_where_those_have_let_its_user_whom_one_trusts(self) -> None:
+        me, they, other = os.geteuid(), 12345, 12346
+        for folder, file, is_well in (((me, 0o755), (they, 0o700), True), ((they, 0o700), (they, 0o700), True),
+                                      ((other, 0o755), (they, 0o700), False), ((me, 0o775), (they, 0o700), False),
+                                      ((me, 0o757), (they, 0o700), False), ((me, 0o755), (other, 0o700), False)):
+            owners = {"/": (0, 0o755), "/etc": folder, "/etc/s": file}
+
+            def status(path: pathlib.Path, owners: dict = owners) -> os.stat_result:
+                user, mode = owners[str(path)]
+                return os.stat_result((mode, 0, 0, 1, user, 0, 0, 0, 0, 0))
+            with self.subTest(folder=folder, file=file), mock.patch("metamer.server_owner.os.lstat", status), \
+                    contextlib.nullcontext() if is_well else self.assertRaises(errors.NoServer):
+                server_owner.check_server_owner(they, "/etc/s")
 
     def test_kept_credentials_are_for_their_user_alone(self) -> None:
         with tempfile.TemporaryDirectory() as folder, mock.patch.dict(os.environ, {"XDG_CONFIG_HOME": folder}):
