@@ -10,7 +10,7 @@ answer of the method `exact`, to the rounding of the weights, f32."""
 import hashlib
 import os
 import struct
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,7 +19,8 @@ from google.protobuf.message import DecodeError
 from metamer.errors import InputError, ProtocolError
 from metamer.events import Tile
 from metamer.fresnel import fresnel_at_node
-from metamer.spectra import Observer, Quadrature, SceneSpectra, Spectrum, observer_of, quadrature
+from metamer.spectra import (SEEN, Observer, Quadrature, SceneSpectra, Spectrum, band_means, luminance_of, observer_of,
+                             quadrature)
 from metamer.v1 import factors_pb2, plan_pb2
 
 _HEAD = struct.Struct("<8s4I4Q32s")  # client/relight/factors_file.cpp
@@ -52,11 +53,28 @@ class Factors:
         """(height, width, 3) float32 X Y Z with other spectra, by the names of lights ("*": all that are not named) and
         of materials ("NAME", its diffuse, or "NAME.specular"). Luminances stay. InputError: no such name."""
         scene = _with_spectra(self.scene, lights or {}, materials or {})
-        seen_by = observer or observer_of(scene.observer)
-        colors = _signature_colors(self, scene, seen_by)
-        pairs = self.weight.astype(np.float64)
-        sums = [np.bincount(self.pixel, pairs * colors[self.signature, axis], self.width * self.height) for axis in range(3)]
-        return np.stack(sums, -1).reshape(self.height, self.width, 3).astype(np.float32)
+        return self._pixels(_signature_colors(self, scene, observer or observer_of(scene.observer)))
+
+    def spectral(self, nm: Sequence[float]) -> np.ndarray:
+        """(height, width, bands) float32: what reaches each pixel, per nm, in bands at `nm` (rising, 360 to 830): the
+        means of the lights over each band, up to its neighbours, times the factors in its middle. InputError."""
+        middles = Spectrum(np.array(nm), np.zeros(len(nm)))
+        if middles.nm[0] < SEEN[0] or middles.nm[-1] > SEEN[1]:
+            raise InputError(f"bands lie between {SEEN[0]:g} and {SEEN[1]:g} nm")
+        at = Quadrature(middles.nm, np.ones(len(nm)))
+        observer, rows = observer_of(self.scene.observer), []
+        for light in self.scene.light:
+            power = Spectrum.from_message(light.power)
+            y = luminance_of(power, observer)
+            rows.append(band_means(power, middles.nm) * (light.luminance / y if y > 0 else 0))
+        spectra = [rows[light] * met for light, met in _met(self, self.scene, at)]
+        return self._pixels(np.array(spectra).reshape(-1, len(nm)))
+
+    def _pixels(self, values: np.ndarray) -> np.ndarray:
+        """Sums of (signatures, channels) values over each pixel's pairs."""
+        pairs, pixels = self.weight.astype(np.float64), self.width * self.height
+        sums = [np.bincount(self.pixel, pairs * channel[self.signature], pixels) for channel in values.T]
+        return np.stack(sums, -1).reshape(self.height, self.width, -1).astype(np.float32)
 
 
 def _with_spectra(scene: factors_pb2.SceneFactors, lights: Mapping[str, Spectrum], materials: Mapping[str, Spectrum]
@@ -99,12 +117,17 @@ def _signature_colors(factors: Factors, scene: factors_pb2.SceneFactors, observe
     luminance = np.array([light.luminance for light in scene.light])
     seen *= np.divide(luminance, y, out=np.zeros_like(y), where=y > 0)[:, None, None]
 
+    return np.array([seen[light] @ met for light, met in _met(factors, scene, at)]).reshape(-1, 3)
+
+
+def _met(factors: Factors, scene: factors_pb2.SceneFactors, at: Quadrature) -> Iterator[tuple[int, np.ndarray]]:
+    """Each signature's light, and the product of all factors that it meets, (points,)."""
     values = _NodeValues(scene, at)
     products = [np.ones_like(at.nm)]
     for parent, node in factors.products:
         products.append(products[parent] * values(node))
-    return np.array([seen[light] @ (products[product] * values(node)) for product, light, node in factors.signatures]
-                    ).reshape(-1, 3)
+    for product, light, node in factors.signatures:
+        yield light, products[product] * values(node)
 
 
 class _NodeValues:

@@ -85,6 +85,24 @@ def xyz_of(light: Spectrum, observer: Observer, *factors: Spectrum, luminance: f
     return luminance / y * (seen * met).sum(1) if y > 0 else np.zeros(3)
 
 
+def luminance_of(light: Spectrum, observer: Observer) -> float:
+    """∫ light ȳ dλ, in the light's own unit."""
+    light = light.as_emission()
+    at = quadrature([light, observer[1]], 2)
+    return float(np.sum(light.emission_at(at.nm) * observer[1].emission_at(at.nm) * at.widths))
+
+
+def band_means(light: Spectrum, nm: np.ndarray) -> np.ndarray:
+    """The mean of a light over the hat function of each of `nm` (rising), which is 1 there and 0 at its neighbours; of a
+    single one its value there. As common/spectral/cells.h has it."""
+    light = light.as_emission()
+    if nm.size == 1:
+        return light.emission_at(nm)
+    at = quadrature([light, Spectrum(nm, np.zeros(nm.size))], 2)
+    hats = np.stack([np.interp(at.nm, nm, hat, left=0.0, right=0.0) for hat in np.eye(nm.size)]) * at.widths
+    return hats @ light.emission_at(at.nm) / hats.sum(1)
+
+
 @dataclass(frozen=True)
 class SceneSpectra:
     """A scene's spectra as the renderer has them: files read, words looked up, interpolated. By the names of lights and

@@ -9,6 +9,7 @@ import metamer
 from metamer import errors, fresnel
 from metamer.events import Tile
 from metamer.factors import FactorsBuilder
+from metamer.spectra import band_means
 from metamer.v1 import factors_pb2, plan_pb2
 from support import local, read_exr, run
 
@@ -66,6 +67,19 @@ class Relit(unittest.TestCase):
         scene = self.scene.copy()
         scene.message.settings.observer = 1  # CIE_1964_10DEG
         alike(self.kept.factors.relight(observer=self.server.spectra(scene).observer), self.server.render(scene).xyz)
+
+    def test_bands_have_the_light_of_the_picture(self) -> None:
+        """Sums over 1 nm with the observer are X Y Z, but for what lights and paints do within a nanometre."""
+        nm = np.arange(360.0, 831.0)
+        bands = self.kept.factors.spectral(nm)
+        self.assertEqual(bands.shape, (24, 32, 471))
+        observer = np.stack([f.emission_at(nm) for f in self.kept.factors.spectra.observer], 1)
+        np.testing.assert_allclose(bands @ observer, self.kept.xyz, rtol=2e-3, atol=1e-5)
+
+    def test_the_mean_of_a_line_is_its_light_over_a_band(self) -> None:
+        line = metamer.Spectrum([545.999, 546, 546.001], [0, 1000, 0])  # all in all 1
+        np.testing.assert_allclose(band_means(line, np.array([540.0, 546.0, 550.0])), [0, 1 / 5, 0], atol=1e-4)
+        np.testing.assert_allclose(band_means(line, np.array([536.0, 556.0])), [0.05, 0.05], rtol=1e-6)
 
     def test_names_that_are_not_there(self) -> None:
         for lights, materials in (({"kei": self.f11}, {}), ({}, {"gold.diffuse": GREEN})):

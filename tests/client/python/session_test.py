@@ -11,7 +11,7 @@ import metamer
 import metamer.aio
 from metamer import errors
 from metamer.private_server import private_server
-from metamer.v1 import scene_pb2
+from metamer.v1 import jobs_pb2, scene_pb2
 from support import BIN, SCENES, local, read_exr, read_png, run, scene
 
 
@@ -86,6 +86,21 @@ class Rendered(unittest.TestCase):
         calls = {name for name in vars(metamer.Session) if not name.startswith("_")} - {"connect"}
         self.assertLessEqual(calls, set(dir(metamer.Server)))
         self.assertEqual(metamer.Server.submit.__doc__, metamer.Session.submit.__doc__)
+
+
+class GivenUp(unittest.TestCase):
+    def test_a_render_that_is_cancelled_cancels_its_job(self) -> None:
+        async def give_up() -> int:
+            async with metamer.aio.local(BIN / "metamerd") as session:
+                rendering = asyncio.create_task(session.render(scene(width=2048, height=2048, spp=256)))
+                while not await session.jobs():
+                    await asyncio.sleep(0.01)
+                await asyncio.sleep(0)
+                rendering.cancel()
+                with self.assertRaises(asyncio.CancelledError):
+                    await rendering
+                return (await session.jobs())[0].state
+        self.assertEqual(asyncio.run(give_up()), jobs_pb2.CANCELLED)
 
 
 class WithTheCommandLine(unittest.TestCase):

@@ -75,6 +75,7 @@ class Viewed(unittest.TestCase):
         async def look() -> None:
             async with metamer.aio.local(BIN / "metamerd") as session:
                 async with await session.open_view(scene()) as view:
+                    await view.frame()  # not complete yet
                     for _ in range(3):
                         asking = asyncio.create_task(view.frame())
                         await asyncio.sleep(0)  # it has asked, without X Y Z
