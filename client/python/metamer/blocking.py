@@ -107,6 +107,10 @@ class Server(Waiting):
             raise
         self.welcome = self._target.welcome
 
+    def handle(self, job_id: int) -> str:
+        """As Session.handle."""
+        return self._target.handle(job_id)
+
     def __enter__(self) -> "Server":
         return self
 

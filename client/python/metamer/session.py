@@ -10,6 +10,7 @@ from metamer.assembly import Assembly, finished_of
 from metamer.errors import Disconnected, InputError, NoServer, ProtocolError, VersionError
 from metamer.events import Event, Tile, make_event
 from metamer.exchange import Connection, Exchange
+from metamer.handle import Job, job_handle, job_number
 from metamer.picture import Picture
 from metamer.reach import reach
 from metamer.scene import Asset, Scene, Submission, as_scene, make_submission
@@ -66,6 +67,14 @@ class Session:
         """Where the server is, for further sessions and for `metamer --server`."""
         return self._connection.server
 
+    def handle(self, job_id: int) -> str:
+        """What names the job elsewhere, too: "7@3f9c2a1b". All calls take it in place of the number, and raise InputError
+        where it is of another server."""
+        return job_handle(job_id, self.welcome.server_id)
+
+    def _number(self, job: Job) -> int:
+        return job_number(job, self.welcome.server_id)
+
     async def close(self) -> None:
         await self._connection.close()
 
@@ -88,21 +97,21 @@ class Session:
             if not page.more or not page.job or page.job[-1].job_id <= last:  # numbers rise, or it would have no end
                 return found
 
-    async def cancel(self, job_id: int) -> jobs_pb2.JobSummary:
+    async def cancel(self, job: Job) -> jobs_pb2.JobSummary:
         """Ends a job and drops what it rendered. NotFound; StateError: it has ended."""
-        return await self._ask(jobs_pb2.Cancel(job_id=job_id), "cancel", "job_summary")
+        return await self._ask(jobs_pb2.Cancel(job_id=self._number(job)), "cancel", "job_summary")
 
-    async def pause(self, job_id: int) -> jobs_pb2.JobSummary:
+    async def pause(self, job: Job) -> jobs_pb2.JobSummary:
         """Stops a job and keeps its tiles. NotFound, StateError, LimitError."""
-        return await self._ask(jobs_pb2.Pause(job_id=job_id), "pause", "job_summary")
+        return await self._ask(jobs_pb2.Pause(job_id=self._number(job)), "pause", "job_summary")
 
-    async def resume(self, job_id: int) -> jobs_pb2.JobSummary:
+    async def resume(self, job: Job) -> jobs_pb2.JobSummary:
         """Goes on with a paused job. NotFound, StateError."""
-        return await self._ask(jobs_pb2.Resume(job_id=job_id), "resume", "job_summary")
+        return await self._ask(jobs_pb2.Resume(job_id=self._number(job)), "resume", "job_summary")
 
-    async def priority(self, job_id: int, priority: int) -> jobs_pb2.JobSummary:
+    async def priority(self, job: Job, priority: int) -> jobs_pb2.JobSummary:
         """-100 to 100: higher first among the user's own jobs. NotFound, StateError, LimitError."""
-        return await self._ask(jobs_pb2.Prioritize(job_id=job_id, priority=priority), "prioritize", "job_summary")
+        return await self._ask(jobs_pb2.Prioritize(job_id=self._number(job), priority=priority), "prioritize", "job_summary")
 
     async def submit(self, scene: SceneLike, *, name: str = "", check_only: bool = False, explain: bool = False,
                      keep_factors: bool = False, prepare: bool = False, priority: int = 0,
@@ -118,12 +127,12 @@ class Session:
             prepare=prepare, priority=priority, client_key=os.urandom(16) if client_key is None else client_key)
         return (await self._ask(request, "submit", "submitted")).job_id
 
-    async def watch(self, job_id: int, from_sequence: int = 0, *, tiles: bool = True, previews: bool = False,
+    async def watch(self, job: Job, from_sequence: int = 0, *, tiles: bool = True, previews: bool = False,
                     factors: bool = False) -> AsyncIterator[Event]:
         """A job's events from that number on (0: all), until its last. It can be left early: contextlib.aclosing tells
         the server at once. NotFound; LimitError: too many watches; Closing."""
         ended = False
-        request = jobs_pb2.Watch(job_id=job_id, from_sequence=from_sequence, tiles=tiles, previews=previews,
+        request = jobs_pb2.Watch(job_id=self._number(job), from_sequence=from_sequence, tiles=tiles, previews=previews,
                                  factors=factors)
         with Exchange(self._connection) as exchange:
             await exchange.send(request, "watch")
@@ -142,11 +151,11 @@ class Session:
                     with Exchange(self._connection) as leaving:
                         await leaving.send(jobs_pb2.Unwatch(watch=exchange.id), "unwatch")
 
-    async def picture(self, job_id: int, *, factors: bool = False) -> Picture:
+    async def picture(self, job: Job, *, factors: bool = False) -> Picture:
         """Waits for a job and gives its picture; with its `factors`, where it keeps them. JobFailed, JobCancelled,
         NotFound; InputError: a check_only job."""
         assembly: Assembly | None = None
-        async with aclosing(self.watch(job_id, factors=factors)) as events:
+        async with aclosing(self.watch(job, factors=factors)) as events:
             async for event in events:
                 if event.kind == "planned":
                     assembly = Assembly(event.body)
@@ -157,8 +166,8 @@ class Session:
                 elif event.is_last:
                     finished = finished_of(event)
         if assembly is None or assembly.film.missing:
-            raise InputError(f"job {job_id} has no picture")
-        return assembly.picture(job_id, finished)
+            raise InputError(f"job {job} has no picture")
+        return assembly.picture(self._number(job), finished)
 
     async def render(self, scene: SceneLike, *, keep_factors: bool = False, **options) -> Picture:
         """submit() and picture(); a job that nobody waits for any more is cancelled."""

@@ -62,7 +62,10 @@ class Tls(unittest.TestCase):
                       metamer.Credentials(token=self.token, authorities=self.certificate)):
             with metamer.connect(self.address, known) as server:
                 self.assertEqual(server.welcome.user, "ann")
-                self.assertEqual(server.render(scene()).xyz.shape, (16, 32, 3))
+                job = server.render(scene()).job_id
+                handle = server.handle(job)
+                self.assertEqual(handle, f"{job}@{server.welcome.server_id.hex()[:8]}")  # it has a state
+                self.assertEqual(server.picture(handle).xyz.shape, (16, 32, 3))
 
     def test_what_login_has_kept_is_enough(self) -> None:
         (self.folder / "token").write_text(self.token)

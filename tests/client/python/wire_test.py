@@ -10,7 +10,7 @@ from collections.abc import Awaitable, Callable
 from unittest import mock
 
 import metamer
-from metamer import credentials, errors, frames, server_owner
+from metamer import credentials, errors, frames, handle, server_owner
 from metamer.address import parse_address
 from metamer.events import make_event
 from metamer.session import Session
@@ -141,6 +141,19 @@ class Wire(unittest.TestCase):
             await events.aclose()
         with mock.patch("metamer.exchange.MAX_WAITING", 4 << 20):
             asyncio.run(with_false_server(speak, use))
+
+
+class Handles(unittest.TestCase):
+    def test_a_job_is_its_number_at_its_server(self) -> None:
+        here = bytes.fromhex("3f9c2a1b" + "00" * 12)
+        for job in (7, "7", "7@3f9c2a1b", "7@3F9C2A", handle.job_handle(7, here)):
+            self.assertEqual(handle.job_number(job, here), 7)
+        self.assertEqual((handle.job_handle(7, here), handle.job_handle(7, b"")), ("7@3f9c2a1b", "7"))
+        for job in ("", "0", "7@", "7@3f9", "7@3f9c2a1c", "-7", "7@3f9c2a1b ", "٧", "7@" + "0" * 33):
+            with self.assertRaises(errors.InputError, msg=job):
+                handle.job_number(job, here)
+        with self.assertRaises(errors.InputError):
+            handle.job_number("7@3f9c2a1b", b"")
 
 
 class TheWay(unittest.TestCase):
