@@ -30,7 +30,6 @@ using GenericEndpoint = asio::generic::stream_protocol::endpoint;
 
 constexpr std::size_t max_unix_path = 107;  // sun_path is 108 bytes with its closing 0
 constexpr int backlog = 1024;
-constexpr int dead_peer_seconds = 30;
 /// A Unix socket whose listener has as many connections waiting as it holds is tried again after
 /// this time: the system has nothing to wait for there.
 constexpr std::chrono::milliseconds busy_retry{20};
@@ -86,8 +85,9 @@ Result<Addresses> resolve(const asio::any_io_executor& executor, const Endpoint&
 }
 
 /// Small messages travel at once. A peer that takes none of what was sent, or of a silent one the
-/// question whether it is there, is given up after dead_peer_seconds (tcp(7)).
-void prepare_tcp(Socket& socket) {
+/// question whether it is there, is given up after `dead_peer` (tcp(7)).
+void prepare_tcp(Socket& socket, std::chrono::seconds dead_peer) {
+  const int seconds = static_cast<int>(dead_peer.count());
   error_code error;
   const int family = socket.local_endpoint(error).data()->sa_family;
   if (error) return;
@@ -97,9 +97,9 @@ void prepare_tcp(Socket& socket) {
   };
   set(IPPROTO_TCP, TCP_NODELAY, 1);
   set(SOL_SOCKET, SO_KEEPALIVE, 1);
-  set(IPPROTO_TCP, TCP_KEEPIDLE, dead_peer_seconds);
-  set(IPPROTO_TCP, TCP_KEEPINTVL, dead_peer_seconds / 3);
-  set(IPPROTO_TCP, TCP_USER_TIMEOUT, dead_peer_seconds * 1000);
+  set(IPPROTO_TCP, TCP_KEEPIDLE, seconds);
+  set(IPPROTO_TCP, TCP_KEEPINTVL, std::max(1, seconds / 3));
+  set(IPPROTO_TCP, TCP_USER_TIMEOUT, seconds * 1000);
 }
 
 /// Lets those connect to a Unix socket that `file` says.
@@ -247,7 +247,7 @@ asio::awaitable<Result<Socket>> connect_in_turn(const Endpoint& endpoint) {
     }
     if (error == asio::error::operation_aborted) break;
     if (error) continue;
-    prepare_tcp(socket);
+    prepare_tcp(socket, dead_peer_limit);
     co_return socket;
   }
   co_return problem("can't connect to " + to_string(endpoint) + ": " + error.message());
@@ -296,7 +296,7 @@ bool Acceptor::is_local() const {
 }
 
 Result<Acceptor> Acceptor::listen(const asio::any_io_executor& executor, const Endpoint& endpoint,
-                                  const SocketFile& file) {
+                                  const SocketFile& file, std::chrono::seconds dead_peer) {
   if (const auto descriptor = take_inherited(endpoint)) {
     const bool unix_socket = endpoint.kind == Endpoint::Kind::unix_socket;
     const bool v6 = endpoint.host.find(':') != std::string::npos;
@@ -304,6 +304,7 @@ Result<Acceptor> Acceptor::listen(const asio::any_io_executor& executor, const E
     Acceptor acceptor(Native(executor, asio::generic::stream_protocol(family, 0), *descriptor),
                       endpoint);
     acceptor.file_ = {};
+    acceptor.dead_peer_ = dead_peer;
     return acceptor;
   }
   if (endpoint.kind == Endpoint::Kind::unix_socket) {
@@ -337,12 +338,14 @@ Result<Acceptor> Acceptor::listen(const asio::any_io_executor& executor, const E
     // The port stands at the same place in sockaddr_in and sockaddr_in6.
     bound.port = ntohs(reinterpret_cast<const sockaddr_in*>(local.data())->sin_port);
   }
-  return Acceptor(std::move(native), std::move(bound));
+  Acceptor acceptor(std::move(native), std::move(bound));
+  acceptor.dead_peer_ = dead_peer;
+  return acceptor;
 }
 
 asio::awaitable<std::pair<error_code, Socket>> Acceptor::accept() {
   auto [error, socket] = co_await native_.async_accept(asio::as_tuple(asio::use_awaitable));
-  if (!error) prepare_tcp(socket);
+  if (!error) prepare_tcp(socket, dead_peer_);
   co_return std::pair(error, std::move(socket));
 }
 

@@ -47,6 +47,10 @@ inline constexpr std::chrono::seconds connect_timeout{10};
 asio::awaitable<Result<Socket>> connect(
     Endpoint endpoint, std::chrono::steady_clock::duration limit = connect_timeout);
 
+/// After which a TCP peer is taken for gone that takes nothing of what was sent to it; twice as
+/// long for one to which nothing was.
+inline constexpr std::chrono::seconds dead_peer_limit{30};
+
 /// Who may connect to a Unix socket: the system asks for the right to write its file.
 struct SocketFile {
   mode_t mode = 0600;
@@ -60,7 +64,8 @@ class Acceptor {
   /// address in use, a file that is no socket, a group that does not exist, whatever else the
   /// system says.
   static Result<Acceptor> listen(const asio::any_io_executor& executor, const Endpoint& endpoint,
-                                 const SocketFile& file = {});
+                                 const SocketFile& file = {},
+                                 std::chrono::seconds dead_peer = dead_peer_limit);
 
   Acceptor(Acceptor&&) noexcept = default;
   Acceptor& operator=(Acceptor&&) = delete;
@@ -70,7 +75,7 @@ class Acceptor {
   const Endpoint& endpoint() const { return endpoint_; }
   /// Only this machine can connect: a Unix socket, or an address of the loopback.
   bool is_local() const;
-  /// The next connection; a TCP peer that is gone is noticed within a minute (see prepare_tcp).
+  /// The next connection; a TCP peer that is gone is noticed (dead_peer).
   /// Errors: the system's.
   asio::awaitable<std::pair<boost::system::error_code, Socket>> accept();
   void close();
@@ -90,6 +95,7 @@ class Acceptor {
   Native native_;
   Endpoint endpoint_;
   FileId file_;
+  std::chrono::seconds dead_peer_ = dead_peer_limit;
 };
 
 }  // namespace metamer::wire

@@ -1,6 +1,7 @@
 #include "client.h"
 
 #include <gtest/gtest.h>
+#include <linux/filter.h>
 #include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -111,6 +112,13 @@ bool Client::closed_by_server() {
 }
 
 void Client::finish_sending() { ::shutdown(fd_, SHUT_WR); }
+
+void Client::vanish() {
+  sock_filter nothing = BPF_STMT(BPF_RET | BPF_K, 0);
+  const sock_fprog filter{1, &nothing};
+  if (::setsockopt(fd_, SOL_SOCKET, SO_ATTACH_FILTER, &filter, sizeof filter) != 0)
+    throw std::runtime_error("a socket can't be made deaf");
+}
 
 v1::Envelope Client::log_in(const std::string& token) {
   v1::Envelope message;

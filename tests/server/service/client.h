@@ -35,6 +35,8 @@ class Client {
   bool closed_by_server();
   /// No more from this side; the other can still be read.
   void finish_sending();
+  /// Is gone without a word, as by a pulled cable: what comes is neither taken nor acknowledged.
+  void vanish();
 
   v1::Welcome hello(const std::string& token = {});
   /// The answer to Hello, whatever it is.
