@@ -22,6 +22,12 @@ tl::expected<ViewPtr, Refusal> Views::open(v1::OpenView open, AssetHolds assets,
   return view;
 }
 
+std::size_t Views::size() const {
+  return static_cast<std::size_t>(
+      std::count_if(views_.begin(), views_.end(),
+                    [](const auto& known) { return !known.second.view.expired(); }));
+}
+
 std::vector<ViewPtr> Views::of(v1::Backend backend) const {
   std::vector<ViewPtr> result;
   for (const auto& [id, known] : views_) {

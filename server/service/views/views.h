@@ -22,7 +22,7 @@ class Views {
   tl::expected<ViewPtr, Refusal> open(v1::OpenView open, AssetHolds assets,
                                       std::function<void()> wake, const AccountPtr& owner);
 
-  std::size_t size() const { return views_.size(); }
+  std::size_t size() const;
   std::vector<ViewPtr> of(v1::Backend backend) const;
   /// Gives the view that a worker speaks of; null: it is closed, and the worker has not heard.
   ViewPtr find(std::uint64_t id) const;

@@ -9,6 +9,7 @@
 
 #include "server/service/limits.h"
 #include "server/service/ops/folders.h"
+#include "server/service/views/views.h"
 
 namespace metamer::service {
 namespace {
@@ -334,4 +335,14 @@ TEST_F(ViewTest, AnAssetThatTheStoreLacksIsRefused) {
 }
 
 }  // namespace
+TEST(Views, OneThatIsGoneIsNotCounted) {
+  const auto folder = TemporaryFolder::make().value();
+  const auto store = AssetStore::open(folder.path() / "store", 1000).value();
+  Views views(default_limits);
+  auto view = views.open({}, AssetHolds(*store), [] {}, std::make_shared<Account>()).value();
+  EXPECT_EQ(views.size(), 1u);
+  view.reset();
+  EXPECT_EQ(views.size(), 0u);
+}
+
 }  // namespace metamer::service
