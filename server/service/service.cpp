@@ -60,6 +60,15 @@ bool hold_all(const v1::Submit& submit, AssetHolds& holds) {
                      [&](const v1::AssetName& asset) { return add(asset.sha256()); });
 }
 
+/// A job's user has had its assets.
+void note_assets(const std::string& user, const v1::Submit& submit, KnownAssets& known) {
+  const auto note = [&](const std::string& bytes) {
+    if (const auto digest = digest_from_bytes(bytes)) known.add(user, *digest);
+  };
+  note(submit.scene_sha256());
+  for (const v1::AssetName& asset : submit.asset()) note(asset.sha256());
+}
+
 /// A job of which the number alone is left.
 v1::JobRecord lost_record(std::uint64_t id) {
   v1::JobRecord record;
@@ -150,6 +159,7 @@ void Service::restore_jobs() {
         kept.user.empty() ? nullptr : service_context_->accounts.named(kept.user);
     if (!kept.record) kept.record = lost_record(kept.id);
     AssetHolds holds(*store_, owner);
+    note_assets(kept.user, kept.record->submit(), service_context_->known_assets);
     const bool has_assets = is_end(kept.record->state()) || hold_all(kept.record->submit(), holds);
     const auto job =
         std::make_shared<Job>(*std::move(kept.record), std::move(holds), owner, *state_);

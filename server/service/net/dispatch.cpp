@@ -150,7 +150,8 @@ Dispatch::Answer Dispatch::info() {
   *info.add_worker() = context_.cpu_views.info();
   info.set_jobs_queued(context_.queue.queued());
   info.set_jobs_running(context_.queue.running());
-  info.set_store_bytes(context_.store.bytes());
+  // All that there is would tell who sends an asset whether another has sent it before.
+  info.set_store_bytes(identity_->is_admin() ? context_.store.bytes() : account_->asset_bytes);
   if (context_.state) info.set_state_bytes(context_.queue.picture_bytes());
   info.set_sessions(context_.sessions());
   if (context_.tell_usage) context_.tell_usage(*identity_, info);

@@ -9,6 +9,7 @@
 #include "metamer/v1/envelope.pb.h"
 #include "server/service/access/accounts.h"
 #include "server/service/access/identity.h"
+#include "server/service/access/known_assets.h"
 #include "server/service/access/logins.h"
 #include "server/service/assets/asset_store.h"
 #include "server/service/executors/executor.h"
@@ -39,6 +40,7 @@ struct ServiceContext {
   JobStore* state = nullptr;  ///< Where jobs are kept; none: they end with the daemon.
   bool closing = false;       ///< The server ends: no more jobs and views.
   Traffic traffic{};
+  KnownAssets known_assets{};
   /// What users, sessions and counts this one may hear of.
   std::function<void(const Identity&, v1::Info&)> tell_usage = {};
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
@@ -77,6 +79,7 @@ class Dispatch {
   asio::awaitable<Answer> dispatch(v1::Envelope& request);
   Answer hello(const v1::Hello& hello);
   Answer info();
+  bool may_know(const Digest& digest) const;
   Answer offer(const v1::OfferAssets& offer);
   asio::awaitable<Answer> chunk(const v1::AssetChunk& chunk);
   asio::awaitable<tl::expected<void, Refusal>> store(AssetUpload upload);

@@ -15,6 +15,11 @@ tl::expected<Digest, Refusal> to_digest(const std::string& bytes) {
 
 }  // namespace
 
+/// Whether the store's having an asset is something that this client has caused, or sees anyhow.
+bool Dispatch::may_know(const Digest& digest) const {
+  return identity_->is_admin() || context_.known_assets.knows(identity_->user, digest);
+}
+
 Dispatch::Answer Dispatch::offer(const v1::OfferAssets& offer) {
   v1::Envelope envelope;
   v1::MissingAssets& missing = *envelope.mutable_missing_assets();
@@ -25,7 +30,9 @@ Dispatch::Answer Dispatch::offer(const v1::OfferAssets& offer) {
       return refuse(v1::Error::LIMIT,
                     "a client may hold " + std::to_string(context_.limits.held_assets) + " assets");
     }
-    if (!holds_->add(*digest)) missing.add_sha256(bytes);
+    if (may_know(*digest) && holds_->add(*digest)) continue;
+    context_.known_assets.forget(identity_->user, *digest);
+    missing.add_sha256(bytes);
   }
   return envelope;
 }
@@ -41,6 +48,7 @@ asio::awaitable<Dispatch::Answer> Dispatch::chunk(const v1::AssetChunk& chunk) {
   AssetUpload upload = *std::exchange(upload_, std::nullopt);
   if (const auto stored = co_await store(std::move(upload)); !stored)
     co_return tl::unexpected(stored.error());
+  context_.known_assets.add(identity_->user, *digest);
   holds_->add(*digest);
   v1::Envelope envelope;
   envelope.mutable_asset_stored()->set_sha256(chunk.sha256());
@@ -104,8 +112,8 @@ tl::expected<AssetHolds, Refusal> Dispatch::hold(const std::string& scene, const
                        const std::string& name) -> tl::expected<void, Refusal> {
     const auto digest = to_digest(bytes);
     if (!digest) return tl::unexpected(digest.error());
-    if (holds.add(*digest)) return {};
-    if (context_.store.damaged(*digest))
+    if (may_know(*digest) && holds.add(*digest)) return {};
+    if (may_know(*digest) && context_.store.damaged(*digest))
       return refuse(v1::Error::MISSING_ASSET, holds.describe_damage(*digest, name));
     return refuse(v1::Error::MISSING_ASSET,
                   "the store lacks " + name + " (" + to_hex(*digest) + ")");

@@ -21,7 +21,12 @@ Dispatch::Answer Dispatch::open_view(std::uint64_t request_id, v1::OpenView open
 
 /// Another scene has its assets by itself: those of the one before go when it is shown.
 tl::expected<View::Order, Refusal> Dispatch::update(View& view, const v1::UpdateView& update) {
-  if (update.scene_sha256().empty()) return view.update(update);
+  if (update.scene_sha256().empty()) {
+    for (const v1::AssetName& asset : update.asset())
+      if (const auto digest = digest_from_bytes(asset.sha256()); digest && !may_know(*digest))
+        return refuse(v1::Error::MISSING_ASSET, "the store lacks " + asset.name());
+    return view.update(update);
+  }
   auto assets = hold(update.scene_sha256(), update.asset(), view.backend());
   if (!assets) return tl::unexpected(assets.error());
   return view.update(update, std::make_unique<AssetHolds>(*std::move(assets)));
