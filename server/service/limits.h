@@ -35,6 +35,10 @@ inline constexpr std::size_t reserved_sessions = 64;
 /// Connections that are not let in yet, and of one source: a user of this machine, an address.
 inline constexpr std::size_t max_newcomers = 512;
 inline constexpr std::size_t max_newcomers_of_source = 128;
+/// TLS handshakes at a time, and of one source: a signature each, some 60 KiB, before anybody is
+/// known.
+inline constexpr std::size_t max_handshakes = 64;
+inline constexpr std::size_t max_handshakes_of_source = 16;
 /// A Hello and its token: what is read of anybody at all.
 inline constexpr std::size_t max_frame_before_hello = 4096;
 /// Watches of one session: each may keep a dropped job's film alive while it reads.
@@ -73,6 +77,8 @@ struct Limits {
   std::uint64_t held_assets = max_held_assets;  ///< Of a session.
   std::uint64_t live_jobs = max_live_jobs;
   std::uint64_t ended_jobs = max_ended_jobs;
+  std::uint64_t handshakes = max_handshakes;
+  std::uint64_t source_handshakes = max_handshakes_of_source;
   /// Bytes that jobs that run may take together, as estimated; 0: as much as they want.
   std::uint64_t memory = 0;
 };
@@ -82,6 +88,8 @@ inline constexpr Limits default_limits{};
 /// How long a client may do nothing with what it keeps from others.
 struct Patience {
   std::chrono::milliseconds hello{hello_timeout};
+  /// From the first byte of a TLS handshake to its end, where others wait for its place.
+  std::chrono::milliseconds handshake{1'000};
   /// A session that says, reads and watches nothing; closed once its place is wanted.
   std::chrono::milliseconds idle_session{60'000};
   /// In which a client takes no byte of what is sent to it.

@@ -30,7 +30,7 @@ Result<void> Listener::open(const wire::Endpoint& endpoint, const ListenOptions&
                    ": TLS needs --tls-cert and --tls-key");
   if (endpoint.tls && !tls_)
     if (auto loaded = reload_certificates(options); !loaded) return loaded;
-  auto acceptor = wire::Acceptor::listen(executor_, endpoint, options.socket);
+  auto acceptor = wire::Acceptor::listen(executor_, endpoint, options.socket, options.dead_peer);
   if (!acceptor) return tl::unexpected(acceptor.error());
   if (!endpoint.tls && !acceptor->is_local() && !options.insecure)
     return problem("can't listen on " + wire::to_string(endpoint) +
@@ -49,6 +49,7 @@ std::vector<wire::Endpoint> Listener::endpoints() const {
 }
 
 void Listener::start(ServiceContext& context) {
+  tls_greeting_.emplace(executor_, context.limits, context.patience);
   for (auto& acceptor : acceptors_) {
     asio::co_spawn(executor_, accept(acceptor, context), asio::detached);
   }
@@ -110,26 +111,6 @@ asio::awaitable<void> Listener::accept(wire::Acceptor& acceptor, ServiceContext&
   }
 }
 
-/// The handshake of TLS, in time. Null: it failed, and the log says why.
-asio::awaitable<std::unique_ptr<wire::Stream>> Listener::encrypted(
-    wire::Socket socket, const Visitor& visitor, Door::Place place,
-    Session::Clock::time_point deadline, ServiceContext& context) {
-  // Whoever ends it finds it still there: what it ends is gone only after it has left the door.
-  const auto abort = std::make_shared<wire::Abort>();
-  place->close = [abort] {
-    if (*abort) (*abort)();
-  };
-  asio::steady_timer timer(executor_, deadline);
-  timer.async_wait([abort](boost::system::error_code cancelled) {
-    if (!cancelled && *abort) (*abort)();
-  });
-  auto stream = co_await wire::accept_tls(std::move(socket), *tls_, abort.get());
-  timer.cancel();
-  if (stream) co_return *std::move(stream);
-  context.logins.failed(visitor, stream.error().message);
-  co_return nullptr;
-}
-
 /// From the first byte until the session's own coroutines take over.
 asio::awaitable<void> Listener::greet(wire::Socket socket, bool tls, ServiceContext& context) {
   const auto deadline = Session::Clock::now() + context.patience.hello;
@@ -138,8 +119,11 @@ asio::awaitable<void> Listener::greet(wire::Socket socket, bool tls, ServiceCont
   std::shared_ptr<void> stay(nullptr, [door = door_, place](void*) { door->leave(place); });
   std::unique_ptr<wire::Stream> stream;
   if (tls) {
-    stream = co_await encrypted(std::move(socket), visitor, place, deadline, context);
-    if (!stream || stopped_) co_return;
+    auto shaken = co_await tls_greeting_->shake_hands(std::move(socket), *tls_, visitor.source(),
+                                                      place, deadline);
+    if (!shaken) context.logins.failed(visitor, shaken.error().message);
+    if (!shaken || stopped_) co_return;
+    stream = *std::move(shaken);
     if (const auto* shown = stream->certificate()) visitor.certificate_names = shown->names;
   } else {
     stream = wire::plain_stream(std::move(socket));

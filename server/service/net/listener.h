@@ -11,6 +11,7 @@
 #include "common/wire/tls.h"
 #include "server/service/net/door.h"
 #include "server/service/net/session.h"
+#include "server/service/net/tls_greeting.h"
 
 namespace metamer::service {
 
@@ -20,6 +21,8 @@ struct ListenOptions {
   wire::TlsIdentity tls;            ///< For `tls:` endpoints; empty: none can be opened.
   std::filesystem::path client_ca;  ///< Who signs clients' certificates; empty: nobody is asked.
   bool insecure = false;            ///< TCP without TLS is opened for other machines, too.
+  /// After which a TCP peer is taken for gone.
+  std::chrono::seconds dead_peer = wire::dead_peer_limit;
 };
 
 /// The listening sockets and the sessions of those who connected. A connection waits at the door
@@ -54,11 +57,6 @@ class Listener {
  private:
   asio::awaitable<void> accept(wire::Acceptor& acceptor, ServiceContext& context);
   asio::awaitable<void> greet(wire::Socket socket, bool tls, ServiceContext& context);
-  asio::awaitable<std::unique_ptr<wire::Stream>> encrypted(wire::Socket socket,
-                                                           const Visitor& visitor,
-                                                           Door::Place place,
-                                                           Session::Clock::time_point deadline,
-                                                           ServiceContext& context);
   asio::awaitable<void> end_revoked(ServiceContext& context);
   tl::expected<void, Refusal> admit(const Identity& identity, ServiceContext& context);
   bool has_room(const Identity& identity, ServiceContext& context) const;
@@ -67,6 +65,7 @@ class Listener {
   asio::any_io_executor executor_;
   asio::steady_timer recheck_;
   std::optional<wire::TlsContext> tls_;
+  std::optional<TlsGreeting> tls_greeting_;
   std::list<wire::Acceptor> acceptors_;
   std::shared_ptr<Door> door_;  // outlived by the coroutines of those who wait there
   std::vector<std::shared_ptr<Session>> sessions_;  // those at the door, too

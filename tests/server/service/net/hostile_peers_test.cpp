@@ -5,6 +5,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "../../../common/wire/certificates.h"
 #include "../client.h"
 #include "../daemon.h"
 #include "server/service/limits.h"
@@ -113,6 +114,26 @@ TEST(HostilePeers, TlsAtAPlainPortIsAFrameErrorAndAnEnd) {
   EXPECT_EQ(answer->error().code(), v1::Error::FRAME);
   EXPECT_EQ(answer->error().message(), "these bytes are TLS, not a frame");
   EXPECT_TRUE(client.closed_by_server());
+}
+
+TEST(HostilePeers, PlainWordsAtATlsPortGetAnAlertAndAnEnd) {
+  wire::test::Certificates certificates;
+  Daemon daemon([&](ServiceOptions& options) {
+    options.listen.back() = wire::parse_endpoint("tls:127.0.0.1:0").value();
+    options.listening.tls = certificates.sign("server", "IP:127.0.0.1");
+  });
+  for (const std::string& words : {hello_frame(), std::string("GET / HTTP/1.1\r\n\r\n")}) {
+    Client client(daemon.port());
+    client.send_bytes(words);
+    try {
+      client.receive();
+      ADD_FAILURE() << "the alert is no frame";
+    } catch (const std::exception& error) {
+      EXPECT_STREQ(error.what(), wire::describe(wire::FrameError::tls));
+    }
+    EXPECT_TRUE(client.closed_by_server());
+  }
+  Client(daemon.socket()).hello();
 }
 
 TEST(HostilePeers, OthersFillTheTableAndAKnownUsersFirstSessionComesInAllTheSame) {

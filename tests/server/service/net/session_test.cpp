@@ -61,10 +61,14 @@ TEST_F(SessionTest, WelcomeSaysWhatTheServerAcceptsAndCanDo) {
   EXPECT_EQ(welcome.capabilities().backend(0), "fake");
 }
 
-TEST_F(SessionTest, AnotherVersionIsRefusedAndTheConnectionClosed) {
-  expect_error(client_.ask(hello(2)), v1::Error::VERSION,
-               "this server speaks version 1 of the protocol, the client 2");
-  EXPECT_TRUE(client_.closed_by_server());
+TEST_F(SessionTest, OlderAndNewerVersionsAreRefusedAndTheConnectionClosed) {
+  for (const std::uint32_t version : {0u, 2u, ~0u}) {
+    Client client(daemon_.socket());
+    expect_error(client.ask(hello(version)), v1::Error::VERSION,
+                 "this server speaks version 1 of the protocol, the client " +
+                     std::to_string(version));
+    EXPECT_TRUE(client.closed_by_server());
+  }
 }
 
 TEST_F(SessionTest, HelloComesFirstAndOnce) {
