@@ -64,9 +64,9 @@ TEST_F(SessionTest, WelcomeSaysWhatTheServerAcceptsAndCanDo) {
 TEST_F(SessionTest, OlderAndNewerVersionsAreRefusedAndTheConnectionClosed) {
   for (const std::uint32_t version : {0u, 2u, ~0u}) {
     Client client(daemon_.socket());
-    expect_error(client.ask(hello(version)), v1::Error::VERSION,
-                 "this server speaks version 1 of the protocol, the client " +
-                     std::to_string(version));
+    expect_error(
+        client.ask(hello(version)), v1::Error::VERSION,
+        "this server speaks version 1 of the protocol, the client " + std::to_string(version));
     EXPECT_TRUE(client.closed_by_server());
   }
 }

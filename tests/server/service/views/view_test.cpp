@@ -339,7 +339,10 @@ TEST(Views, OneThatIsGoneIsNotCounted) {
   const auto folder = TemporaryFolder::make().value();
   const auto store = AssetStore::open(folder.path() / "store", 1000).value();
   Views views(default_limits);
-  auto view = views.open({}, AssetHolds(*store), [] {}, std::make_shared<Account>()).value();
+  auto view = views
+                  .open(
+                      {}, AssetHolds(*store), [] {}, std::make_shared<Account>())
+                  .value();
   EXPECT_EQ(views.size(), 1u);
   view.reset();
   EXPECT_EQ(views.size(), 0u);
