@@ -4,16 +4,13 @@
 
 #include <algorithm>
 
-#include "server/service/ops/log.h"
-
 #include "server/service/limits.h"
+#include "server/service/ops/log.h"
+#include "server/service/schedule/fair_share.h"
 
 namespace metamer::service {
 
 namespace {
-
-/// A turn lasts so many times what it takes to begin one: at most a twentieth is lost by that.
-constexpr int begin_share = 20;
 
 std::string seconds(std::chrono::milliseconds duration) {
   return fmt::format("{:g} s", static_cast<double>(duration.count()) / 1000);
@@ -140,8 +137,10 @@ void Supervisor::work() {
   if (state_ != State::idle) return;
   if (!take_job()) return;
   job_->start();
-  log_line(spdlog::level::info, fields_of_job(),
-           fmt::format("job {} ({}) started", job_->id(), job_->submit().name()));
+  const bool anew = job_->worker_seconds() == 0;  // not a further turn, of which there may be many
+  log_line(anew ? spdlog::level::info : spdlog::level::debug, fields_of_job(),
+           fmt::format("job {} ({}) {}", job_->id(), job_->submit().name(),
+                       anew ? "started" : "goes on"));
 
   v1::WorkerEnvelope message;
   message.set_job_id(job_->id());
@@ -179,7 +178,9 @@ void Supervisor::interrupt(const Job& job) {
 /// The job's tiles have been asked for, or all that comes before the first is there.
 void Supervisor::begin_turn() {
   turn_began_ = Clock::now();
-  turn_ = std::max<Clock::duration>(options_.quantum, begin_share * (turn_began_ - taken_));
+  using Seconds = std::chrono::duration<double>;
+  turn_ = std::chrono::duration_cast<Clock::duration>(Seconds(
+      turn_seconds(Seconds(options_.quantum).count(), Seconds(turn_began_ - taken_).count())));
   turn_tiles_ = 0;
 }
 

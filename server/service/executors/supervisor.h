@@ -35,7 +35,7 @@ class Supervisor final : public Executor, public ViewHost {
     std::chrono::milliseconds worker_timeout{5000};   ///< Without a sign of life.
     std::chrono::milliseconds stall_timeout{120000};  ///< With a job whose work stands still.
     std::chrono::milliseconds stop_timeout{2000};     ///< From StopJob to its answer.
-    /// A job's turn while others wait; where it takes long to begin one, begin_share times that.
+    /// A job's turn while others wait; see turn_seconds() where it takes long to begin one.
     std::chrono::milliseconds quantum{2000};
     std::size_t tiles_per_batch = service::tiles_per_batch;  ///< In one RenderTiles.
   };

@@ -6,6 +6,11 @@
 
 namespace metamer::service {
 
+double turn_seconds(double quantum, double beginning) {
+  constexpr double beginnings = 20, longest = 30;
+  return std::max(quantum, std::min(longest, beginnings * beginning));
+}
+
 void FairShare::set_present(std::string_view user, bool present) {
   auto known = users_.find(user);
   if (known == users_.end()) {

@@ -16,6 +16,12 @@ inline constexpr double max_share = 1e3;
 /// Seconds that a turn costs at least: jobs that take no time at all are not free.
 inline constexpr double least_turn = 1e-3;
 
+/// How long a turn lasts, in seconds, while others wait: `quantum`; where it took `beginning` to
+/// come to its first tile 20 times that, so that at most a twentieth is lost by beginning anew; but
+/// no longer than 30 s, or `quantum` where that is more, since others wait for it. What beginnings
+/// take is charged to whose they are.
+double turn_seconds(double quantum, double beginning);
+
 /// A job that waits.
 struct Claim {
   std::string_view user;

@@ -256,6 +256,14 @@ TEST(FairShare, OfWhomNothingIsOwedNothingIsKept) {
   EXPECT_LE(fair.size(), 3u);
 }
 
+TEST(TurnSeconds, AreLongerWhereBeginningsAreAndStillHoldNobodyUpForLong) {
+  EXPECT_EQ(turn_seconds(2, 0.01), 2);
+  EXPECT_EQ(turn_seconds(2, 1), 20);
+  EXPECT_EQ(turn_seconds(2, 12), 30);  // a mesh of millions of triangles
+  EXPECT_EQ(turn_seconds(60, 12), 60);
+  EXPECT_EQ(turn_seconds(0, 0), 0);
+}
+
 TEST(FairShare, NobodyIsNext) {
   const FairShare fair;
   EXPECT_FALSE(fair.choose({}));
