@@ -8,9 +8,6 @@ from setuptools.command.build_py import build_py
 
 HERE = pathlib.Path(__file__).resolve().parent
 PROTO = HERE.parent.parent / "proto"
-# What clients and servers say to each other, and what it imports.
-MESSAGES = ["assets", "envelope", "factors", "fresnel", "geometry", "jobs", "material", "plan", "problem", "scene",
-            "session", "spectrum", "views"]
 
 
 class BuildWithMessages(build_py):
@@ -18,7 +15,7 @@ class BuildWithMessages(build_py):
         super().run()
         to = pathlib.Path(self.build_lib).resolve()
         subprocess.run([os.environ.get("PROTOC", "protoc"), f"-I{PROTO}", f"--python_out={to}", f"--pyi_out={to}"]
-                       + [f"metamer/v1/{name}.proto" for name in MESSAGES], check=True, cwd=PROTO)
+                       + sorted(PROTO.glob("metamer/v1/*.proto")), check=True)
 
 
 setup(cmdclass={"build_py": BuildWithMessages})

@@ -1,5 +1,6 @@
 """From a scene to its picture, with a real metamerd."""
 import asyncio
+import itertools
 import pathlib
 import tempfile
 import unittest
@@ -86,6 +87,24 @@ class Rendered(unittest.TestCase):
         calls = {name for name in vars(metamer.Session) if not name.startswith("_")} - {"connect"}
         self.assertLessEqual(calls, set(dir(metamer.Server)))
         self.assertEqual(metamer.Server.submit.__doc__, metamer.Session.submit.__doc__)
+
+
+class Kept(unittest.TestCase):
+    def test_a_watch_goes_on_with_the_next_server_of_the_state(self) -> None:
+        with tempfile.TemporaryDirectory() as state:
+            with metamer.local(BIN / "metamerd", ["--state", state]) as server:
+                job = server.handle(server.submit(scene()))
+                picture = server.picture(job)
+                first = list(itertools.islice(server.watch(job), 7))
+            with metamer.local(BIN / "metamerd", ["--state", state]) as server:
+                rest = list(server.watch(job, first[-1].sequence + 1))
+        tiles = [event.body for event in first + rest if event.kind == "tile"]
+        self.assertTrue(rest[-1].is_last and 0 < len([event for event in rest if event.kind == "tile"]) < len(tiles))
+        film = metamer.picture.Film(32, 16)
+        for tile in tiles:
+            film.put(tile)
+        self.assertEqual((len(tiles), film.missing), (8, 0))
+        np.testing.assert_array_equal(film.xyz, picture.xyz)
 
 
 class GivenUp(unittest.TestCase):

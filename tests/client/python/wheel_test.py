@@ -1,4 +1,5 @@
 """The package builds as Debian builds it, without a network, and is whole."""
+import ast
 import importlib.util
 import pathlib
 import shutil
@@ -31,6 +32,17 @@ class Wheel(unittest.TestCase):
             self.assertLessEqual(sources | {"metamer/v1/envelope_pb2.py", "metamer/py.typed"}, set(names))
             subprocess.run([sys.executable, "-B", "-c", "import metamer.bench; metamer.Scene.parse('camera {}')"], check=True,
                            env={"PYTHONPATH": str(wheel)}, cwd=folder)
+
+
+class Imports(unittest.TestCase):
+    def test_the_package_takes_python_numpy_and_protobuf_alone(self) -> None:
+        allowed = sys.stdlib_module_names | {"numpy", "google", "metamer"}
+        for path in (ROOT / "client/python/metamer").rglob("*.py"):
+            for node in ast.walk(ast.parse(path.read_text())):
+                names = [node.module or ""] if isinstance(node, ast.ImportFrom) else []
+                names += [name.name for name in node.names] if isinstance(node, ast.Import) else []
+                for name in names:
+                    self.assertIn(name.split(".")[0], allowed, path.name)
 
 
 if __name__ == "__main__":
