@@ -29,7 +29,7 @@ std::uint64_t data_bytes(pid_t process) {
   return 0;
 }
 
-MemoryLimit::MemoryLimit(pid_t worker) : worker_(worker), own_(data_bytes(worker)) {
+MemoryLimit::MemoryLimit(pid_t worker) : worker_(worker), own_(data_bytes(worker)), base_(own_) {
   if (sanitized) lacks_ = "it is built with a sanitizer";
   if (own_ == 0) lacks_ = "/proc does not say what it has";
 }
@@ -38,12 +38,17 @@ std::string MemoryLimit::describe() const {
   return lacks_.empty() ? "limited for each job" : "not limited: " + lacks_;
 }
 
+void MemoryLimit::begin(std::uint64_t most_left) {
+  const std::uint64_t now = data_bytes(worker_);
+  base_ = own_ + std::min(now > own_ ? now - own_ : 0, most_left);
+}
+
 void MemoryLimit::allow(std::uint64_t bytes) {
   if (worker_ < 0 || !lacks_.empty()) return;
   rlimit limit{};
   if (::prlimit(worker_, RLIMIT_DATA, nullptr, &limit) == 0) {
-    const bool fits = bytes < std::numeric_limits<std::uint64_t>::max() - own_;
-    limit.rlim_cur = fits ? std::min<rlim_t>(own_ + bytes, limit.rlim_max) : limit.rlim_max;
+    const bool fits = bytes < std::numeric_limits<std::uint64_t>::max() - base_;
+    limit.rlim_cur = fits ? std::min<rlim_t>(base_ + bytes, limit.rlim_max) : limit.rlim_max;
     if (::prlimit(worker_, RLIMIT_DATA, &limit, nullptr) == 0) return;
   }
   if (errno != ESRCH) lacks_ = std::string("prlimit: ") + std::strerror(errno);

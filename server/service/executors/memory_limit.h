@@ -12,15 +12,19 @@ namespace metamer::service {
 /// or an allocator reserves and never touches. The readers of meshes are processes of their own and
 /// have limits of their own (server/import/bounds.h).
 ///
-/// The limit is on top of what the worker has when it is ready, libraries and a driver's tables. It
-/// is the soft one, so that the next job gets its own; the sandbox keeps a worker from raising it.
+/// The limit is on top of what the worker has when a job begins: libraries, a driver's tables, and
+/// what is left of earlier jobs, which the C library keeps for the next. It is the soft one, so
+/// that the next job gets its own; the sandbox keeps a worker from raising it.
 class MemoryLimit {
  public:
   MemoryLimit() = default;  ///< Of no worker: nothing is limited.
   /// Of a worker that is ready.
   explicit MemoryLimit(pid_t worker);
 
-  /// From now on the worker may have `bytes` more than it had when it was ready. What it has
+  /// A job begins: its limits are on top of what the worker has now, but of what others have left
+  /// in it no more than `most_left`.
+  void begin(std::uint64_t most_left);
+  /// From now on the worker may have `bytes` more than it had when its job began. What it has
   /// already stays: beyond the limit it gets no more.
   void allow(std::uint64_t bytes);
 
@@ -29,7 +33,8 @@ class MemoryLimit {
 
  private:
   pid_t worker_ = -1;
-  std::uint64_t own_ = 0;  // bytes that it had
+  std::uint64_t own_ = 0;   // bytes that it had when it was ready,
+  std::uint64_t base_ = 0;  // and when its job began
   std::string lacks_;
 };
 

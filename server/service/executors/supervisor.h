@@ -113,6 +113,7 @@ class Supervisor final : public Executor, public ViewHost {
   /// Has the system hold the worker of a lane of jobs to what its job may take, or, without one, to
   /// what all may.
   void limit_memory();
+  std::uint64_t all_memory() const;      // that jobs may take together
   std::uint64_t allowed_memory() const;  // to its job
   bool views_share_worker() const;
   std::string memory_text() const;  // what holds the worker to its limit

@@ -116,6 +116,11 @@ void Supervisor::fail_job_for_memory() {
   queue_.ended(*job_);
 }
 
+std::uint64_t Supervisor::all_memory() const {
+  const std::uint64_t set = queue_.limits().memory;
+  return set > 0 ? set : std::numeric_limits<std::uint64_t>::max();
+}
+
 std::uint64_t Supervisor::allowed_memory() const {
   return memory_allowance(job_->size(), threads_of(options_.command), options_.lane.driver_bytes);
 }
@@ -128,10 +133,8 @@ bool Supervisor::views_share_worker() const {
 void Supervisor::limit_memory() {
   if (!options_.lane.jobs) return;
   had_views_ = had_views_ || views_share_worker();
-  const std::uint64_t set = queue_.limits().memory;
-  const std::uint64_t all = set > 0 ? set : std::numeric_limits<std::uint64_t>::max();
-  group_.allow(all);
-  if (!has_job() || views_share_worker()) return memory_.allow(all);
+  group_.allow(all_memory());
+  if (!has_job() || views_share_worker()) return memory_.allow(all_memory());
   memory_.allow(allowed_memory());
   log_line(spdlog::level::debug, fields_of_job(),
            fmt::format("job {} takes about {}, and may ask for {}", job_->id(),

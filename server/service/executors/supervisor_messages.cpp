@@ -107,7 +107,10 @@ void Supervisor::on_preparing(v1::Preparing::Stage stage) {
   if (!v1::Preparing::Stage_IsValid(stage) || !job_->add_preparing(stage))
     return distrust("prepares what was not asked for");
   // With its first step the worker has let go of the job before.
-  if (std::exchange(stage_, stage) == v1::Preparing::UNSPECIFIED) limit_memory();
+  if (std::exchange(stage_, stage) == v1::Preparing::UNSPECIFIED && state_ == State::compiling) {
+    memory_.begin(all_memory());
+    limit_memory();
+  }
 }
 
 void Supervisor::on_planned(const v1::Plan& plan) {

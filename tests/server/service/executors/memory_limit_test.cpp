@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -29,21 +31,37 @@ rlimit limit_of(pid_t process) {
       said.find("memory: limited") == std::string::npos)            \
   GTEST_SKIP() << said
 
-/// A process that waits for its end.
-class Sleeper {
+/// A process that asks for 64 MiB whenever it is told.
+class Swelling {
  public:
-  Sleeper() : pid_(::fork()) {
-    if (pid_ == 0)
-      for (;;) ::pause();
+  Swelling() {
+    EXPECT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, ends_), 0);
+    pid_ = ::fork();
+    if (pid_ != 0) return;
+    for (char word = 0; ::read(ends_[1], &word, 1) == 1 && ::write(ends_[1], &word, 1) == 1;)
+      if (word == 's')
+        ::mmap(nullptr, 64 * mebi, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    ::_exit(0);
   }
-  ~Sleeper() {
+  ~Swelling() {
     ::kill(pid_, SIGKILL);
     ::waitpid(pid_, nullptr, 0);
+    ::close(ends_[0]);
+    ::close(ends_[1]);
   }
+  Swelling(const Swelling&) = delete;
   pid_t pid() const { return pid_; }
+  void swell() {
+    // The second answer comes once the first word has been obeyed.
+    for (char word : {'s', 'n'}) {
+      EXPECT_EQ(::write(ends_[0], &word, 1), 1);
+      EXPECT_EQ(::read(ends_[0], &word, 1), 1);
+    }
+  }
 
  private:
-  pid_t pid_;
+  int ends_[2];
+  pid_t pid_ = -1;
 };
 
 class SwollenJob : public testing::Test {
@@ -71,7 +89,7 @@ class SwollenJob : public testing::Test {
 }  // namespace
 
 TEST(MemoryLimit, IsAboveWhatTheWorkerHadAndCanBeRaisedAgain) {
-  const Sleeper worker;
+  const Swelling worker;
   const std::uint64_t had = data_bytes(worker.pid());
   ASSERT_GT(had, 0u);
   MemoryLimit limit(worker.pid());
@@ -84,6 +102,22 @@ TEST(MemoryLimit, IsAboveWhatTheWorkerHadAndCanBeRaisedAgain) {
   limit.allow(~std::uint64_t{0});
   EXPECT_EQ(limit_of(worker.pid()).rlim_cur, hard);
   EXPECT_EQ(limit_of(worker.pid()).rlim_max, hard);
+}
+
+TEST(MemoryLimit, CountsFromWhatEarlierJobsLeftButNotFromAnyAmountOfIt) {
+  Swelling worker;
+  const std::uint64_t had = data_bytes(worker.pid());
+  MemoryLimit limit(worker.pid());
+  if (limit.describe() != "limited for each job") GTEST_SKIP() << limit.describe();
+  worker.swell();
+  limit.allow(10 * mebi);
+  EXPECT_EQ(limit_of(worker.pid()).rlim_cur, had + 10 * mebi);
+  limit.begin(1000 * mebi);
+  limit.allow(10 * mebi);
+  EXPECT_EQ(limit_of(worker.pid()).rlim_cur, had + 74 * mebi);
+  limit.begin(5 * mebi);
+  limit.allow(10 * mebi);
+  EXPECT_EQ(limit_of(worker.pid()).rlim_cur, had + 15 * mebi);
 }
 
 TEST(MemoryLimit, OfAProcessThatIsGoneIsNone) {
