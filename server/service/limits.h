@@ -24,6 +24,9 @@ inline constexpr std::int32_t max_priority = 100;
 inline constexpr std::uint32_t max_losses = 3;
 /// Numbers of events that are kept as given before they are: one more row for so many.
 inline constexpr std::uint64_t sequence_reserve = 4096;
+/// Seconds that a worker may have spent on a job, or on a backend's jobs, before the state is told:
+/// a crash gives no more than these away.
+inline constexpr double most_unkept_seconds = 10;
 /// Bytes of Submit.client_key: two digests.
 inline constexpr std::size_t max_client_key = 64;
 inline constexpr std::size_t max_job_name = 200;  ///< Bytes; it is for people.

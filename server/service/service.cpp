@@ -174,6 +174,7 @@ void Service::restore_jobs() {
   std::sort(ended.begin(), ended.end(),
             [](const auto& a, const auto& b) { return a->ended_at() < b->ended_at(); });
   for (const auto& job : ended) queue_.restore(job);
+  queue_.restore(state_->take_leads());
 }
 
 /// A disk that was full may have room by now.
@@ -225,6 +226,8 @@ Result<void> Service::reload_certificates() {
 }
 
 void Service::stop() {
+  cpu_.charge_job();
+  gl_.charge_job();
   queue_.set_aside();
   keep_again_.cancel();
   listener_.stop();

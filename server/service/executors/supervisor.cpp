@@ -196,7 +196,6 @@ void Supervisor::charge_job() {
 void Supervisor::consider_yielding() {
   if (state_ != State::rendering || yields_ || batch_missing_ == 0) return;
   if (turn_tiles_ < least_tiles_ || Clock::now() - turn_began_ < turn_) return;
-  charge_job();
   if (!queue_.gives_way(*job_)) {
     turn_began_ = Clock::now();
     return;
@@ -215,7 +214,6 @@ void Supervisor::send_stop() {
 }
 
 void Supervisor::job_is_over() {
-  charge_job();
   yields_ = false;
   if (job_->ended()) {
     log_line(spdlog::level::info, fields_of_job(),

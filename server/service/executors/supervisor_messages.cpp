@@ -49,6 +49,7 @@ void Supervisor::on_message(v1::WorkerEnvelope message) {
   }
   // An answer about a job that is over was on its way before the worker heard of it.
   if (!has_job() || message.job_id() != job_->id()) return;
+  charge_job();  // before what it says is kept
   if (state_ == State::stopping) {
     // The plan was on its way when StopJob came; say it again to the worker that now waits.
     if (message.has_planned()) return send_stop();

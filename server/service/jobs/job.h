@@ -90,8 +90,8 @@ class Job : public std::enable_shared_from_this<Job> {
   bool retry(const std::string& reason);
   /// Its turn is over: it is queued again, with the tiles that it has. That is no loss.
   bool yield(const std::string& reason, std::uint32_t ahead);
-  /// A worker has spent so many seconds more on it.
-  void spend(double seconds) { worker_seconds_ += seconds; }
+  /// A worker has spent so many seconds more on it; kept with what happens to it, and now and then.
+  void spend(double seconds);
   double worker_seconds() const { return worker_seconds_; }
   /// Its promise was broken: it is queued again, without its tiles, for `better`.
   bool restart(const std::string& reason, const v1::Method& better);
@@ -194,6 +194,7 @@ class Job : public std::enable_shared_from_this<Job> {
 
   std::uint32_t losses_ = 0;  // workers lost
   double worker_seconds_ = 0;
+  double worker_seconds_put_ = 0;  // of them, those that were asked to be kept
   bool planned_ = false;
   bool prepared_ = false;  // in this attempt
   bool restarted_ = false;

@@ -35,6 +35,7 @@ Job::Job(v1::JobRecord record, AssetHolds assets, AccountPtr owner, JobStore& st
       owner_(std::move(owner)),
       state_(record.state()),
       losses_(record.losses()),
+      worker_seconds_(record.worker_seconds()),
       restarted_(record.restarted()),
       rays_(record.rays()),
       reason_(record.reason()),
@@ -115,12 +116,14 @@ v1::JobRecord Job::record() const {
   record.set_reason(reason_);
   record.set_build(build_);
   record.set_picture_bytes(on_disk_ ? on_disk_->size() : 0);
+  record.set_worker_seconds(worker_seconds_);
   return record;
 }
 
 /// `event`: the newest event is what it is for; else numbers for further ones.
 void Job::put(bool event) {
   if (!store_) return;
+  worker_seconds_put_ = worker_seconds_;
   reserved_ = log_.last_sequence() + 1 + sequence_reserve;
   unkept_.push_back({event ? log_.last_sequence() : no_event, reserved_});
   hide_what_is_not_kept();
@@ -162,6 +165,11 @@ void Job::keep_again() {
 void Job::prioritize(std::int32_t priority) {
   submit_.set_priority(priority);
   put(false);
+}
+
+void Job::spend(double seconds) {
+  worker_seconds_ += seconds;
+  if (worker_seconds_ - worker_seconds_put_ >= most_unkept_seconds) put(false);
 }
 
 void Job::set_aside() {

@@ -103,6 +103,12 @@ void JobQueue::restore(JobPtr job) {
   note_presence(*job);
 }
 
+void JobQueue::restore(const std::vector<KeptLead>& leads) {
+  std::map<v1::Backend, std::vector<FairShare::Lead>> kept;
+  for (const KeptLead& lead : leads) kept[lead.backend].push_back({lead.user, lead.seconds});
+  for (const auto& [backend, users] : kept) shares_[backend].restore(users);
+}
+
 void JobQueue::keep_again() {
   for (const auto& [id, job] : jobs_) job->keep_again();
 }
@@ -110,6 +116,7 @@ void JobQueue::keep_again() {
 void JobQueue::set_aside() {
   if (!store_) return;
   for (const auto& [id, job] : jobs_) job->set_aside();
+  for (const auto& [backend, share] : shares_) keep_leads(backend);
 }
 
 JobQueue::JobPtr JobQueue::find(std::uint64_t id) const {
@@ -154,6 +161,7 @@ void JobQueue::ended(Job& job) {
   counts_.finished += job.state() == v1::FINISHED;
   counts_.failed += job.state() == v1::FAILED;
   counts_.cancelled += job.state() == v1::CANCELLED;
+  keep_leads(job.submit().backend());
   list_ended(job);
 }
 

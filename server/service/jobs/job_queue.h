@@ -44,6 +44,8 @@ class JobQueue {
   /// Takes over a job that was kept: one that has ended, or that Job::go_on() has queued or left
   /// paused.
   void restore(JobPtr job);
+  /// And, once all are there, what their users have had.
+  void restore(const std::vector<KeptLead>& leads);
   /// Keeps what could not be kept before.
   void keep_again();
   /// The server ends: jobs that run are queued, for the next one to go on with.
@@ -101,6 +103,7 @@ class JobQueue {
   Admission admission(const Job& job, std::uint64_t taken) const;
   void note_presence(const Job& job);
   void list_ended(Job& job);
+  void keep_leads(v1::Backend backend);
   void drop(std::map<std::uint64_t, JobPtr>::iterator job);
   std::uint64_t paused_bytes() const;
 
@@ -118,9 +121,10 @@ class JobQueue {
   std::map<std::uint64_t, JobPtr> jobs_;
   std::map<std::uint64_t, JobPtr> live_;  // of them, those that have not ended
   std::vector<JobPtr> line_;
-  std::map<v1::Backend, FairShare> shares_;  // of each backend's worker
-  std::vector<std::weak_ptr<Job>> dropped_;  // and perhaps watched still, oldest first
-  std::deque<std::uint64_t> ended_;          // oldest ended first
+  std::map<v1::Backend, FairShare> shares_;       // of each backend's worker
+  std::map<v1::Backend, double> unkept_seconds_;  // that the store has not been told of
+  std::vector<std::weak_ptr<Job>> dropped_;       // and perhaps watched still, oldest first
+  std::deque<std::uint64_t> ended_;               // oldest ended first
   std::uint64_t ended_bytes_ = 0;
   JobCounts counts_;
 };

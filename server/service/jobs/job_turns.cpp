@@ -43,6 +43,7 @@ JobQueue::JobPtr JobQueue::next(v1::Backend backend) {
   JobPtr job = find(waiting[*chosen].order);
   std::erase(line_, job);
   shares_[backend].begin(user_of(*job), share_of(*job));
+  keep_leads(backend);
   return job;
 }
 
@@ -74,6 +75,18 @@ void JobQueue::spend(Job& job, double seconds) {
   job.spend(seconds);
   counts_.worker_seconds[job.submit().backend()] += seconds;
   shares_[job.submit().backend()].charge(user_of(job), share_of(job), seconds);
+  double& unkept = unkept_seconds_[job.submit().backend()];
+  unkept += seconds;
+  if (unkept >= most_unkept_seconds) keep_leads(job.submit().backend());
+}
+
+/// What was spent is kept as a turn begins and ends, and now and then within a long one.
+void JobQueue::keep_leads(v1::Backend backend) {
+  if (!store_ || std::exchange(unkept_seconds_[backend], 0) == 0) return;
+  std::vector<KeptLead> leads;
+  for (FairShare::Lead& lead : shares_[backend].leads())
+    leads.push_back({backend, std::move(lead.user), lead.seconds});
+  store_->put_leads(backend, std::move(leads));
 }
 
 /// Tells the shares whether the job's user still has any that waits or runs.
@@ -100,6 +113,7 @@ void JobQueue::hold(v1::Backend backend, const std::string& reason) {
 
 void JobQueue::put_back(JobPtr job) {
   assert(job->state() == v1::QUEUED);
+  keep_leads(job->submit().backend());
   line_.push_back(std::move(job));
 }
 

@@ -114,8 +114,9 @@ asio::awaitable<Dispatch::Answer> Dispatch::order(Order order, std::uint64_t job
     }
     return {};
   };
-  if (auto done = carry_out(); !done) co_return tl::unexpected(done.error());
   Executor& executor = context_.executor_of(*job);
+  executor.charge_job();
+  if (auto done = carry_out(); !done) co_return tl::unexpected(done.error());
   if (order != Order::resume) executor.interrupt(*job);
   executor.work();
   if (const auto trouble = co_await kept(*job)) co_return tl::unexpected(*trouble);

@@ -59,8 +59,26 @@ void FairShare::begin(std::string_view user, double share) {
 
 void FairShare::charge(std::string_view user, double share, double seconds) {
   assert(share >= min_share && share <= max_share && seconds >= 0);
-  const auto known = users_.find(user);
-  if (known != users_.end()) known->second.tag += seconds / share;
+  // Who has gone meanwhile, its only job cancelled, say, is charged all the same.
+  auto known = users_.find(user);
+  if (known == users_.end()) known = users_.emplace(user, User{now_, ++turns_, false}).first;
+  known->second.tag += seconds / share;
+}
+
+std::vector<FairShare::Lead> FairShare::leads() const {
+  std::vector<Lead> leads;
+  for (const auto& [name, user] : users_)
+    if (user.tag != now_) leads.push_back({name, user.tag - now_});
+  return leads;
+}
+
+void FairShare::restore(const std::vector<Lead>& kept) {
+  for (auto& [name, user] : users_) user.tag = now_;
+  for (const Lead& lead : kept) {
+    const auto known = users_.try_emplace(lead.user, User{0, ++turns_, false}).first;
+    known->second.tag = now_ + lead.seconds;
+  }
+  forget_settled();
 }
 
 }  // namespace metamer::service

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace metamer::service {
 
@@ -45,6 +46,17 @@ class FairShare {
   void begin(std::string_view user, double share);
   /// The worker has spent so many seconds on the user's job; share in min_share..max_share.
   void charge(std::string_view user, double share, double seconds);
+
+  /// How far a user is ahead of the turn under way, in seconds of a user of share 1; below 0:
+  /// behind, since what it wants could not be begun.
+  struct Lead {
+    std::string user;
+    double seconds = 0;
+  };
+  /// What has to outlive the program, lest who has had more than others should begin with them.
+  std::vector<Lead> leads() const;
+  /// Goes on with what was kept; who is present already and has none begins at the turn under way.
+  void restore(const std::vector<Lead>& kept);
 
   /// Of how many users anything is known: those present, and who have had more than others so far.
   std::size_t size() const { return users_.size(); }

@@ -95,6 +95,7 @@ Result<void> JobStore::read(asio::any_io_executor loop) {
     server_id_ = service::server_id(*database);
     kept_ = read_records(*database);
     next_id_ = last_id(*database) + 1;
+    leads_ = read_leads(*database);
     sync_folder(folder_);
     journal_ = std::make_unique<Journal>(std::move(loop), std::move(database));
   } catch (const std::exception& error) {
@@ -130,6 +131,12 @@ void JobStore::put(v1::JobRecord record, const TileFile* tiles, Done done) {
         trouble_ = trouble;
         if (done) done(trouble);
       });
+}
+
+void JobStore::put_leads(v1::Backend backend, std::vector<KeptLead> leads) {
+  journal_->post([backend, leads = std::move(leads)](Database& database) {
+    write_leads(database, backend, leads);
+  });
 }
 
 void JobStore::remove(std::uint64_t id) {

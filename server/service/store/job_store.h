@@ -11,6 +11,7 @@
 #include "metamer/v1/record.pb.h"
 #include "server/service/store/journal.h"
 #include "server/service/store/tile_file.h"
+#include "server/service/store/usage_rows.h"
 
 namespace metamer::service {
 
@@ -45,6 +46,10 @@ class JobStore {
   };
   /// All jobs, by their numbers; given once, at the start.
   std::vector<Kept> take_kept() { return std::move(kept_); }
+  /// Of all backends; given once, at the start.
+  std::vector<KeptLead> take_leads() { return std::move(leads_); }
+  /// Keeps those of a backend, in the place of what was kept of it.
+  void put_leads(v1::Backend backend, std::vector<KeptLead> leads);
 
   /// Keeps a job as it is now. With `tiles` all of these are on the disk before; trouble where one
   /// could not be written.
@@ -77,6 +82,7 @@ class JobStore {
   std::string server_id_;
   std::uint64_t next_id_ = 1;
   std::vector<Kept> kept_;
+  std::vector<KeptLead> leads_;
   std::optional<StoreTrouble> trouble_;
   std::unique_ptr<Journal> journal_;
 };

@@ -41,6 +41,11 @@ CREATE TABLE jobs(
   state INTEGER NOT NULL,
   ended_at REAL,
   record BLOB NOT NULL) STRICT;
+CREATE TABLE leads(
+  backend INTEGER NOT NULL,
+  user TEXT NOT NULL,
+  seconds REAL NOT NULL,
+  PRIMARY KEY(backend, user)) STRICT, WITHOUT ROWID;
 )"};
 
 std::int64_t pragma(Database& database, const char* name) {

@@ -38,6 +38,13 @@ class Simulation {
     }
   }
   std::size_t known_users() const { return fair_.size(); }
+  /// All is forgotten but what is kept.
+  void restart() {
+    const auto kept = fair_.leads();
+    fair_ = FairShare();
+    note_presence();
+    fair_.restore(kept);
+  }
 
  private:
   struct Known {
@@ -108,6 +115,39 @@ TEST(FairShare, EqualSharesAndUnequalDemandsGetEqualTime) {
     one.run_until(until);
     EXPECT_NEAR(one.given["long"] / one.given["short"], 1, 0.05) << until;
   }
+}
+
+TEST(FairShare, RestartsFavourNobody) {
+  Simulation one;
+  one.shares = {{"heavy", 2}};
+  one.add({"greedy", 10'000});
+  one.add({"heavy", 10'000});
+  for (int i = 0; i < 2000; ++i) one.add({"modest", 0.7});
+  for (double time = 0; time < 1000; time = one.time + 0.1) {
+    one.run_until(time);
+    one.restart();
+  }
+  EXPECT_NEAR(one.given["greedy"], one.given["modest"], 2 * quantum);
+  EXPECT_NEAR(one.given["heavy"], 2 * one.given["modest"], 3 * quantum);
+}
+
+TEST(FairShare, WhatIsSpentOnOneWhoHasGoneIsChargedAllTheSame) {
+  FairShare fair;
+  fair.set_present("stays", true);
+  fair.set_present("goes", true);
+  fair.begin("goes", 1);
+  fair.set_present("goes", false);
+  fair.begin("stays", 1);
+  fair.charge("stays", 1, 1);
+  fair.begin("stays", 1);
+  EXPECT_EQ(fair.size(), 1U);
+  fair.charge("goes", 1, 5);  // until its worker has stopped
+  fair.set_present("goes", true);
+  const std::vector<Claim> claims{{"goes"}, {"stays"}};
+  fair.charge("stays", 1, 4);
+  EXPECT_EQ(fair.choose(claims), 1U);
+  fair.charge("stays", 1, 2);
+  EXPECT_EQ(fair.choose(claims), 0U);
 }
 
 TEST(FairShare, SharesAreProportions) {
