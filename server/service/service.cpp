@@ -37,7 +37,8 @@ Supervisor::Options for_lane(Supervisor::Options options, const Lane& lane) {
   return options;
 }
 
-constexpr std::chrono::seconds keep_again_interval{1};
+/// Between two looks at what could not be kept, and at what is too old to be.
+constexpr std::chrono::seconds look_interval{1};
 
 /// Tells whether a worker is the one that rendered a job's tiles: two programs may differ in the
 /// last bit. Empty where it can't be read.
@@ -88,7 +89,7 @@ v1::JobRecord lost_record(std::uint64_t id) {
 Service::Service(asio::io_context& context, ServiceOptions options)
     : context_(context),
       options_(completed(std::move(options))),
-      keep_again_(context),
+      next_look_(context),
       queue_(options_.keep_bytes, options_.first_job_id, options_.limits),
       views_(options_.limits),
       cpu_(context.get_executor(), for_lane(options_.worker, cpu_jobs), queue_, views_),
@@ -134,10 +135,8 @@ Result<void> Service::start() {
     add_sessions(listener_, info);
     add_metrics(counts(), info);
   };
-  if (state_) {
-    restore_jobs();
-    asio::co_spawn(context_, keep_again(), asio::detached);
-  }
+  if (state_) restore_jobs();
+  asio::co_spawn(context_, look_after_jobs(), asio::detached);
   for (const wire::Endpoint& endpoint : options_.listen) {
     if (auto opened = listener_.open(endpoint, options_.listening); !opened) return opened;
   }
@@ -177,13 +176,14 @@ void Service::restore_jobs() {
   queue_.restore(state_->take_leads());
 }
 
-/// A disk that was full may have room by now.
-asio::awaitable<void> Service::keep_again() {
+/// A disk that was full may have room by now, and a job's time may be over.
+asio::awaitable<void> Service::look_after_jobs() {
   for (;;) {
-    keep_again_.expires_after(keep_again_interval);
-    const auto [error] = co_await keep_again_.async_wait(asio::as_tuple(asio::use_awaitable));
+    next_look_.expires_after(look_interval);
+    const auto [error] = co_await next_look_.async_wait(asio::as_tuple(asio::use_awaitable));
     if (error) co_return;
     queue_.keep_again();
+    queue_.drop_old(options_.clock());
   }
 }
 
@@ -229,7 +229,7 @@ void Service::stop() {
   cpu_.charge_job();
   gl_.charge_job();
   queue_.set_aside();
-  keep_again_.cancel();
+  next_look_.cancel();
   listener_.stop();
   cpu_.stop();
   cpu_views_.stop();

@@ -14,6 +14,7 @@
 #include "server/service/net/dispatch.h"
 #include "server/service/net/listener.h"
 #include "server/service/ops/metrics.h"
+#include "server/service/wall_clock.h"
 
 namespace metamer::service {
 
@@ -28,6 +29,7 @@ struct ServiceOptions {
   std::uint64_t first_job_id = clock_job_id(std::chrono::system_clock::now());
   Limits limits;
   Patience patience;
+  WallClock clock = wall_clock;
   Supervisor::Options worker;  ///< Of all lanes; its store and lane are filled in.
 };
 
@@ -59,7 +61,7 @@ class Service {
  private:
   Result<void> open_users();
   void restore_jobs();
-  asio::awaitable<void> keep_again();
+  asio::awaitable<void> look_after_jobs();
 
   asio::io_context& context_;
   ServiceOptions options_;
@@ -68,7 +70,7 @@ class Service {
   std::optional<Database> users_database_;  // none: no users are kept
   std::optional<Users> users_;
   std::optional<Logins> logins_;
-  asio::steady_timer keep_again_;
+  asio::steady_timer next_look_;
   std::shared_ptr<AssetStore> store_;
   JobQueue queue_;
   Views views_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 
 namespace metamer::service {
 
@@ -8,5 +9,8 @@ namespace metamer::service {
 inline double wall_clock() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
+
+/// The same, where a test may have another.
+using WallClock = std::function<double()>;
 
 }  // namespace metamer::service

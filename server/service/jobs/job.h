@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/problem.h"
@@ -44,6 +45,9 @@ class Job : public std::enable_shared_from_this<Job> {
   std::uint64_t id() const { return id_; }
   const v1::Submit& submit() const { return submit_; }
   const AccountPtr& owner() const { return owner_; }
+  /// Whose it is, and its weight beside others; empty, and 1: nobody's in particular.
+  std::string_view user() const { return owner_ ? std::string_view(owner_->name) : ""; }
+  double share() const { return owner_ ? owner_->share : 1; }
   v1::JobState state() const { return state_; }
   bool ended() const { return is_end(state_); }
   double ended_at() const { return ended_at_; }  ///< Seconds since 1970.

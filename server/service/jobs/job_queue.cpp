@@ -46,7 +46,7 @@ tl::expected<JobQueue::JobPtr, Refusal> JobQueue::submit(v1::Submit submit, Asse
     return refuse(v1::Error::STATE, "job " + std::to_string(before->id()) +
                                         " was submitted with this key, and was another");
   }
-  const std::size_t live = jobs_.size() - ended_.size();
+  const std::size_t live = live_.size();
   if (live >= limits_.live_jobs) {
     return refuse(v1::Error::LIMIT, "the queue is full: " + std::to_string(limits_.live_jobs) +
                                         " jobs have not ended");
@@ -168,15 +168,19 @@ void JobQueue::ended(Job& job) {
 void JobQueue::list_ended(Job& job) {
   live_.erase(job.id());
   note_presence(job);
-  ended_.push_back(job.id());
-  ended_bytes_ += job.picture_bytes();
+  ended_.add(job.user(), job.share(), {job.id(), job.picture_bytes(), job.ended_at()});
   // The job that has just ended stays, however large: somebody is about to fetch it.
-  while (ended_.size() > 1 && (ended_.size() > limits_.ended_jobs || ended_bytes_ > keep_bytes_)) {
-    const auto oldest = jobs_.find(ended_.front());
-    ended_bytes_ -= oldest->second->picture_bytes();
-    drop(oldest);
-    ended_.pop_front();
-  }
+  using Measure = Retention::Measure;
+  while (const auto first = ended_.take_beyond(Measure::jobs, limits_.ended_jobs, job.id()))
+    drop(*first);
+  while (const auto first = ended_.take_beyond(Measure::bytes, keep_bytes_, job.id())) drop(*first);
+}
+
+void JobQueue::drop_old(double now) {
+  constexpr double day_seconds = 86400;
+  if (limits_.keep_days == 0) return;
+  const double first = now - static_cast<double>(limits_.keep_days) * day_seconds;
+  while (const auto old = ended_.take_before(first)) drop(*old);
 }
 
 void JobQueue::for_each(const std::function<void(const Job&)>& call) const {
@@ -189,7 +193,8 @@ std::uint64_t JobQueue::picture_bytes() const {
   return bytes;
 }
 
-void JobQueue::drop(std::map<std::uint64_t, JobPtr>::iterator job) {
+void JobQueue::drop(std::uint64_t id) {
+  const auto job = jobs_.find(id);
   if (store_) {
     if (job->second.use_count() > 1) job->second->hold_picture();
     store_->remove(job->first);

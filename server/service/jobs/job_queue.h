@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -16,6 +15,7 @@
 #include "server/service/refusal.h"
 #include "server/service/schedule/admission.h"
 #include "server/service/schedule/fair_share.h"
+#include "server/service/schedule/retention.h"
 
 namespace metamer::service {
 
@@ -28,7 +28,8 @@ std::uint64_t clock_job_id(std::chrono::system_clock::time_point now);
 
 /// All jobs, and the order in which the queued ones run: each backend's worker is shared by their
 /// owners (FairShare), and each one's jobs go by priority, then by number. Ended jobs stay until
-/// their number or the bytes of their films are over the bounds, oldest ended first.
+/// their number or the bytes of their films are over the bounds, of which each user has its share
+/// (Retention), or they are too old.
 class JobQueue {
  public:
   using JobPtr = std::shared_ptr<Job>;
@@ -79,6 +80,8 @@ class JobQueue {
   /// Says that `job` has ended, and drops what is too much. A dropped job that is still watched
   /// keeps its picture while those of its kind take no more than the bytes to keep either.
   void ended(Job& job);
+  /// Drops the ended jobs whose time is over; to be called now and then.
+  void drop_old(double now);
 
   /// Tells whoever asks what a backend's queued jobs wait for.
   void hold(v1::Backend backend, const std::string& reason);
@@ -103,8 +106,8 @@ class JobQueue {
   Admission admission(const Job& job, std::uint64_t taken) const;
   void note_presence(const Job& job);
   void list_ended(Job& job);
+  void drop(std::uint64_t id);
   void keep_leads(v1::Backend backend);
-  void drop(std::map<std::uint64_t, JobPtr>::iterator job);
   std::uint64_t paused_bytes() const;
 
   JobPtr find_same(const v1::Submit& submit, const AccountPtr& owner) const;
@@ -124,8 +127,7 @@ class JobQueue {
   std::map<v1::Backend, FairShare> shares_;       // of each backend's worker
   std::map<v1::Backend, double> unkept_seconds_;  // that the store has not been told of
   std::vector<std::weak_ptr<Job>> dropped_;       // and perhaps watched still, oldest first
-  std::deque<std::uint64_t> ended_;               // oldest ended first
-  std::uint64_t ended_bytes_ = 0;
+  Retention ended_;
   JobCounts counts_;
 };
 

@@ -9,14 +9,7 @@ namespace metamer::service {
 
 namespace {
 
-std::string_view user_of(const Job& job) {
-  return job.owner() ? std::string_view(job.owner()->name) : std::string_view();
-}
-
-/// Its user's weight beside others.
-double share_of(const Job& job) { return job.owner() ? job.owner()->share : 1; }
-
-Claim claim_of(const Job& job) { return {user_of(job), job.submit().priority(), job.id()}; }
+Claim claim_of(const Job& job) { return {job.user(), job.submit().priority(), job.id()}; }
 
 /// That it takes now, of the daemon and of a worker that has it.
 std::uint64_t memory_of(const Job& job) {
@@ -42,7 +35,7 @@ JobQueue::JobPtr JobQueue::next(v1::Backend backend) {
   if (!chosen) return nullptr;
   JobPtr job = find(waiting[*chosen].order);
   std::erase(line_, job);
-  shares_[backend].begin(user_of(*job), share_of(*job));
+  shares_[backend].begin(job->user(), job->share());
   keep_leads(backend);
   return job;
 }
@@ -55,7 +48,7 @@ bool JobQueue::gives_way(const Job& running) {
     if (is_for(*job, backend) && admission(*job, taken).verdict != Admission::Verdict::waits)
       rivals.push_back(claim_of(*job));
   if (shares_[backend].choose(rivals) != std::size_t{0}) return true;
-  shares_[backend].begin(user_of(running), share_of(running));
+  shares_[backend].begin(running.user(), running.share());
   return false;
 }
 
@@ -74,7 +67,7 @@ Admission JobQueue::admission(const Job& job, std::uint64_t taken) const {
 void JobQueue::spend(Job& job, double seconds) {
   job.spend(seconds);
   counts_.worker_seconds[job.submit().backend()] += seconds;
-  shares_[job.submit().backend()].charge(user_of(job), share_of(job), seconds);
+  shares_[job.submit().backend()].charge(job.user(), job.share(), seconds);
   double& unkept = unkept_seconds_[job.submit().backend()];
   unkept += seconds;
   if (unkept >= most_unkept_seconds) keep_leads(job.submit().backend());
@@ -95,9 +88,9 @@ void JobQueue::note_presence(const Job& job) {
   const bool present = std::any_of(live_.begin(), live_.end(), [&](const auto& known) {
     const Job& other = *known.second;
     return (other.state() == v1::QUEUED || other.state() == v1::RUNNING) &&
-           is_for(other, backend) && user_of(other) == user_of(job);
+           is_for(other, backend) && other.user() == job.user();
   });
-  shares_[backend].set_present(user_of(job), present);
+  shares_[backend].set_present(job.user(), present);
 }
 
 bool JobQueue::has_work(v1::Backend backend) const {
@@ -132,8 +125,8 @@ std::string JobQueue::turn_text(const Job& job) const {
     const auto place = [](const Job& one) {
       return std::pair(-std::int64_t{one.submit().priority()}, one.id());
     };
-    if (user_of(*other) != user_of(job))
-      others.insert(user_of(*other));
+    if (other->user() != job.user())
+      others.insert(other->user());
     else
       own += runs || place(*other) < place(job);
   }

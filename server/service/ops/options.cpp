@@ -131,11 +131,21 @@ const std::vector<Option>& all_options() {
        .max = 1024 * tib},
       {.name = "keep-bytes",
        .section = "store",
-       .meaning = "pictures of ended and of paused jobs to keep",
+       .meaning =
+           "pictures of ended and of paused jobs to keep, of all users together: whose take no "
+           "more than their share lose none to others",
        .at = [](Settings& all) -> OptionTarget { return &all.service.keep_bytes; },
        .unit = Unit::bytes,
        .min = 0,
        .max = 1024 * tib},
+      {.name = "keep-days",
+       .section = "store",
+       .meaning =
+           "the days that ended jobs stay, and their pictures; 0: until their room is wanted",
+       .at = [](Settings& all) -> OptionTarget { return &all.service.limits.keep_days; },
+       .min = 0,
+       .max = 36500,
+       .reloads = true},
       {.name = "first-job",
        .section = "store",
        .meaning = "the first job's number; not set: by the clock, so that none comes again after a "
@@ -242,7 +252,9 @@ const std::vector<Option>& all_options() {
        .reloads = true},
       {.name = "ended-jobs",
        .section = "limits",
-       .meaning = "jobs that have ended and are still listed; the oldest go first",
+       .meaning =
+           "jobs that have ended and are still listed; the oldest go first, of who has more than "
+           "his share",
        .at = [](Settings& all) -> OptionTarget { return &all.service.limits.ended_jobs; },
        .min = 1,
        .max = 1e6,

@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <set>
 #include <system_error>
 
 #include "server/service/store/durable_file.h"
@@ -96,6 +97,7 @@ Result<void> JobStore::read(asio::any_io_executor loop) {
     kept_ = read_records(*database);
     next_id_ = last_id(*database) + 1;
     leads_ = read_leads(*database);
+    remove_orphans();
     sync_folder(folder_);
     journal_ = std::make_unique<Journal>(std::move(loop), std::move(database));
   } catch (const std::exception& error) {
@@ -103,6 +105,15 @@ Result<void> JobStore::read(asio::any_io_executor loop) {
                    error.what());
   }
   return {};
+}
+
+/// Files of jobs whose rows are gone: the daemon ended between the two.
+void JobStore::remove_orphans() {
+  std::set<fs::path> known;
+  for (const Kept& kept : kept_) known.insert(tile_path(kept.id));
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder_ / "jobs", ignored))
+    if (!known.contains(entry.path())) fs::remove(entry.path(), ignored);
 }
 
 fs::path JobStore::tile_path(std::uint64_t id) const {

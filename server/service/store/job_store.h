@@ -75,6 +75,7 @@ class JobStore {
   explicit JobStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
   Result<void> lock();
   Result<void> read(asio::any_io_executor loop);
+  void remove_orphans();
   std::filesystem::path tile_path(std::uint64_t id) const;
 
   std::filesystem::path folder_;
