@@ -83,6 +83,8 @@ struct Limits {
   std::uint64_t handshakes = max_handshakes;
   std::uint64_t source_handshakes = max_handshakes_of_source;
   std::uint64_t keep_days = 0;  ///< That an ended job stays; 0: until its room is wanted.
+  /// Seconds that workers may spend on one user's jobs within a day; 0: as many as it wants.
+  std::uint64_t user_work = 0;
   /// Bytes that jobs that run may take together, as estimated; 0: as much as they want.
   std::uint64_t memory = 0;
 };

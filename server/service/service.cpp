@@ -90,7 +90,7 @@ Service::Service(asio::io_context& context, ServiceOptions options)
     : context_(context),
       options_(completed(std::move(options))),
       next_look_(context),
-      queue_(options_.keep_bytes, options_.first_job_id, options_.limits),
+      queue_(options_.keep_bytes, options_.first_job_id, options_.limits, options_.clock),
       views_(options_.limits),
       cpu_(context.get_executor(), for_lane(options_.worker, cpu_jobs), queue_, views_),
       cpu_views_(context.get_executor(), for_lane(options_.worker, cpu_views), queue_, views_),
@@ -173,7 +173,7 @@ void Service::restore_jobs() {
   std::sort(ended.begin(), ended.end(),
             [](const auto& a, const auto& b) { return a->ended_at() < b->ended_at(); });
   for (const auto& job : ended) queue_.restore(job);
-  queue_.restore(state_->take_leads());
+  queue_.restore(state_->take_leads(), state_->take_work());
 }
 
 /// A disk that was full may have room by now, and a job's time may be over.
@@ -183,7 +183,7 @@ asio::awaitable<void> Service::look_after_jobs() {
     const auto [error] = co_await next_look_.async_wait(asio::as_tuple(asio::use_awaitable));
     if (error) co_return;
     queue_.keep_again();
-    queue_.drop_old(options_.clock());
+    queue_.drop_old();
   }
 }
 

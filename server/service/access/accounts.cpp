@@ -1,5 +1,6 @@
 #include "server/service/access/accounts.h"
 
+#include "server/service/access/logins.h"
 #include "server/service/access/users.h"
 
 namespace metamer::service {
@@ -10,11 +11,14 @@ AccountPtr Accounts::named(const std::string& name) {
   if (!account) account = std::make_shared<Account>();
   account->name = name;
   accounts_[name] = account;
+  account->admin = is_server_owner(name);
   if (const auto user = users_ ? users_->find(name) : std::nullopt) {
+    account->admin = user->role == v1::ADMIN || (user->uid && owns_server(*user->uid));
     account->share = user->share;
     account->max_jobs = user->max_jobs;
     account->max_bytes = user->max_bytes;
     account->max_sessions = user->max_sessions;
+    account->max_work = user->max_work;
   }
   return account;
 }

@@ -16,9 +16,16 @@ Identity identity_of(const User& user, Identity::Known known) {
   return {user.name, user.role, known, {}, true};
 }
 
+}  // namespace
+
 bool owns_server(uid_t uid) { return uid == ::getuid() || uid == 0; }
 
-}  // namespace
+bool is_server_owner(std::string_view user) {
+  wire::PeerIdentity owner, root;
+  owner.user = ::getuid();
+  root.user = 0;
+  return user == wire::to_string(owner) || user == wire::to_string(root);
+}
 
 tl::expected<Identity, Refusal> Logins::login(const Visitor& visitor, const std::string& token) {
   try {
@@ -84,7 +91,6 @@ tl::expected<Identity, Refusal> Logins::by_credentials(const Visitor& visitor) {
   Identity identity{
       wire::to_string(visitor.peer), v1::SUBMITTER, Identity::Known::credentials, {}, known};
   if (known) identity = identity_of(*user, Identity::Known::credentials);
-  // Who can change the table of users need not stand in it.
   if (owns_server(uid)) identity.role = v1::ADMIN;
   if (known || owns_server(uid) || !users_ || !users_->any()) return identity;
   return refused(visitor, "this server does not know you: its administrator has to add your user",

@@ -55,4 +55,9 @@ class Logins {
   LoginLimit limit_;
 };
 
+/// Who can change the table of users, and need not stand in it: whose daemon it is, and root.
+bool owns_server(uid_t uid);
+/// The same, by the name of one who stands in no table: "uid 1000".
+bool is_server_owner(std::string_view user);
+
 }  // namespace metamer::service

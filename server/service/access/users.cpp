@@ -14,8 +14,8 @@ namespace {
 
 constexpr const char* user_columns =
     "users.name, users.role, users.uid, users.share, users.max_jobs, users.max_bytes, "
-    "users.max_sessions, users.revoked_at";
-constexpr int user_column_count = 8;
+    "users.max_sessions, users.max_work, users.revoked_at";
+constexpr int user_column_count = 9;
 
 std::string select_users(const char* rest) {
   return std::string("SELECT ") + user_columns + " FROM users " + rest;
@@ -49,7 +49,8 @@ User read_user(const Statement& row) {
   user.max_jobs = integer_or_none(row, 4);
   user.max_bytes = integer_or_none(row, 5);
   user.max_sessions = integer_or_none(row, 6);
-  user.revoked_at = real_or_none(row, 7);
+  user.max_work = real_or_none(row, 7);
+  user.revoked_at = real_or_none(row, 8);
   return user;
 }
 
@@ -72,6 +73,7 @@ User changed(User user, const UserChange& change) {
   if (change.max_jobs) user.max_jobs = change.max_jobs;
   if (change.max_bytes) user.max_bytes = change.max_bytes;
   if (change.max_sessions) user.max_sessions = change.max_sessions;
+  if (change.max_work) user.max_work = change.max_work;
   user.revoked_at.reset();
   return user;
 }
@@ -148,14 +150,16 @@ Result<User> Users::add(const UserChange& change, double now) {
   before.name = change.name;
   const User user = changed(known.value_or(std::move(before)), change);
   Statement put = database_.prepare(
-      "INSERT INTO users(name, role, uid, share, max_jobs, max_bytes, max_sessions, created_at) "
-      "VALUES(?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8) ON CONFLICT(name) DO UPDATE SET role=?2, uid=?3, "
-      "share=?4, max_jobs=?5, max_bytes=?6, max_sessions=?7, revoked_at=NULL");
+      "INSERT INTO users(name, role, uid, share, max_jobs, max_bytes, max_sessions, created_at, "
+      "max_work) VALUES(?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9) ON CONFLICT(name) DO UPDATE SET "
+      "role=?2, "
+      "uid=?3, share=?4, max_jobs=?5, max_bytes=?6, max_sessions=?7, max_work=?9, revoked_at=NULL");
   put.bind(1, user.name).bind(2, word(user.role)).bind(4, user.share).bind(8, now);
   bind_or_null(put, 3, user.uid ? std::optional<std::int64_t>(*user.uid) : std::nullopt);
   bind_or_null(put, 5, user.max_jobs);
   bind_or_null(put, 6, user.max_bytes);
   bind_or_null(put, 7, user.max_sessions);
+  bind_or_null(put, 9, user.max_work);
   put.run();
   transaction.commit();
   return user;

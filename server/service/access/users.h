@@ -21,6 +21,7 @@ struct User {
   std::optional<uid_t> uid;  ///< Which user of this machine it is.
   double share = 1;          ///< Its weight where several wait.
   std::optional<std::int64_t> max_jobs, max_bytes, max_sessions;
+  std::optional<double> max_work;  ///< Seconds of workers within a day; 0: as many as it wants.
   std::optional<double>
       revoked_at;  ///< Seconds since 1970; it stays, so that its jobs have a name.
 };
@@ -32,6 +33,7 @@ struct UserChange {
   std::optional<uid_t> uid;
   std::optional<double> share;
   std::optional<std::int64_t> max_jobs, max_bytes, max_sessions;
+  std::optional<double> max_work;
 };
 
 /// What is known of a token. The token itself is nowhere.

@@ -292,7 +292,9 @@ void Supervisor::on_failed(v1::Failed failed) {
 void Supervisor::on_stopped() { job_is_over(); }
 
 void Supervisor::on_yielded() {
-  if (job_->yield("others have their turn", queue_.queued())) queue_.put_back(job_);
+  const std::string work = queue_.work_text(*job_);
+  if (job_->yield(work.empty() ? "others have their turn" : work, queue_.queued()))
+    queue_.put_back(job_);
   job_is_over();
 }
 

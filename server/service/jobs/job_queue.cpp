@@ -103,10 +103,13 @@ void JobQueue::restore(JobPtr job) {
   note_presence(*job);
 }
 
-void JobQueue::restore(const std::vector<KeptLead>& leads) {
+void JobQueue::restore(const std::vector<KeptLead>& leads, const std::vector<KeptWork>& work) {
   std::map<v1::Backend, std::vector<FairShare::Lead>> kept;
   for (const KeptLead& lead : leads) kept[lead.backend].push_back({lead.user, lead.seconds});
   for (const auto& [backend, users] : kept) shares_[backend].restore(users);
+  std::vector<WorkLedger::Entry> entries;
+  for (const KeptWork& one : work) entries.push_back({one.user, one.hour, one.seconds});
+  work_.restore(entries);
 }
 
 void JobQueue::keep_again() {
@@ -116,7 +119,7 @@ void JobQueue::keep_again() {
 void JobQueue::set_aside() {
   if (!store_) return;
   for (const auto& [id, job] : jobs_) job->set_aside();
-  for (const auto& [backend, share] : shares_) keep_leads(backend);
+  for (const auto& [backend, share] : shares_) keep_usage(backend);
 }
 
 JobQueue::JobPtr JobQueue::find(std::uint64_t id) const {
@@ -161,7 +164,7 @@ void JobQueue::ended(Job& job) {
   counts_.finished += job.state() == v1::FINISHED;
   counts_.failed += job.state() == v1::FAILED;
   counts_.cancelled += job.state() == v1::CANCELLED;
-  keep_leads(job.submit().backend());
+  keep_usage(job.submit().backend());
   list_ended(job);
 }
 
@@ -176,10 +179,10 @@ void JobQueue::list_ended(Job& job) {
   while (const auto first = ended_.take_beyond(Measure::bytes, keep_bytes_, job.id())) drop(*first);
 }
 
-void JobQueue::drop_old(double now) {
+void JobQueue::drop_old() {
   constexpr double day_seconds = 86400;
   if (limits_.keep_days == 0) return;
-  const double first = now - static_cast<double>(limits_.keep_days) * day_seconds;
+  const double first = clock_() - static_cast<double>(limits_.keep_days) * day_seconds;
   while (const auto old = ended_.take_before(first)) drop(*old);
 }
 

@@ -16,6 +16,8 @@
 #include "server/service/schedule/admission.h"
 #include "server/service/schedule/fair_share.h"
 #include "server/service/schedule/retention.h"
+#include "server/service/schedule/work_ledger.h"
+#include "server/service/wall_clock.h"
 
 namespace metamer::service {
 
@@ -35,8 +37,9 @@ class JobQueue {
   using JobPtr = std::shared_ptr<Job>;
 
   /// Jobs are numbered from `first_id` on. `limits` outlives the queue.
-  JobQueue(std::uint64_t keep_bytes, std::uint64_t first_id, const Limits& limits = default_limits)
-      : keep_bytes_(keep_bytes), limits_(limits), next_id_(first_id) {}
+  JobQueue(std::uint64_t keep_bytes, std::uint64_t first_id, const Limits& limits = default_limits,
+           WallClock clock = wall_clock)
+      : keep_bytes_(keep_bytes), limits_(limits), clock_(std::move(clock)), next_id_(first_id) {}
 
   const Limits& limits() const { return limits_; }
 
@@ -46,7 +49,7 @@ class JobQueue {
   /// paused.
   void restore(JobPtr job);
   /// And, once all are there, what their users have had.
-  void restore(const std::vector<KeptLead>& leads);
+  void restore(const std::vector<KeptLead>& leads, const std::vector<KeptWork>& work);
   /// Keeps what could not be kept before.
   void keep_again();
   /// The server ends: jobs that run are queued, for the next one to go on with.
@@ -68,6 +71,8 @@ class JobQueue {
   /// Whether another job is next rather than this one, which runs. Where it is not, the running
   /// one's next turn begins.
   bool gives_way(const Job& running);
+  /// What a job waits for whose user has had all that it may of the workers today; empty: nothing.
+  std::string work_text(const Job& job) const;
   /// Whether a job may start beside the others, by the memory that it takes.
   Admission admission(const Job& job) const { return admission(job, memory_taken()); }
 
@@ -81,7 +86,7 @@ class JobQueue {
   /// keeps its picture while those of its kind take no more than the bytes to keep either.
   void ended(Job& job);
   /// Drops the ended jobs whose time is over; to be called now and then.
-  void drop_old(double now);
+  void drop_old();
 
   /// Tells whoever asks what a backend's queued jobs wait for.
   void hold(v1::Backend backend, const std::string& reason);
@@ -102,12 +107,13 @@ class JobQueue {
  private:
   void leave_line(const Job& job);
   std::string turn_text(const Job& job) const;
+  std::string obstacle(const Job& job, std::uint64_t taken) const;
   std::uint64_t memory_taken() const;
   Admission admission(const Job& job, std::uint64_t taken) const;
   void note_presence(const Job& job);
   void list_ended(Job& job);
   void drop(std::uint64_t id);
-  void keep_leads(v1::Backend backend);
+  void keep_usage(v1::Backend backend);
   std::uint64_t paused_bytes() const;
 
   JobPtr find_same(const v1::Submit& submit, const AccountPtr& owner) const;
@@ -115,6 +121,7 @@ class JobQueue {
 
   std::uint64_t keep_bytes_;
   const Limits& limits_;
+  WallClock clock_;
   std::uint64_t next_id_;
   JobStore* store_ = nullptr;
   std::string build_;
@@ -127,6 +134,7 @@ class JobQueue {
   std::map<v1::Backend, FairShare> shares_;       // of each backend's worker
   std::map<v1::Backend, double> unkept_seconds_;  // that the store has not been told of
   std::vector<std::weak_ptr<Job>> dropped_;       // and perhaps watched still, oldest first
+  WorkLedger work_;
   Retention ended_;
   JobCounts counts_;
 };

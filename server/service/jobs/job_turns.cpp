@@ -1,6 +1,9 @@
 // Whose turn it is: the line of queued jobs, shares and memory.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
+#include <ctime>
 #include <set>
 
 #include "server/service/jobs/job_queue.h"
@@ -16,6 +19,15 @@ std::uint64_t memory_of(const Job& job) {
   return job.state() == v1::RUNNING ? memory_estimate(job.size()) : job.film_bytes();
 }
 
+/// "2026-11-27 14:00 UTC"
+std::string utc_text(double time) {
+  const auto seconds = static_cast<std::time_t>(time);
+  std::tm parts{};
+  ::gmtime_r(&seconds, &parts);
+  char text[32];
+  return {text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", &parts)};
+}
+
 bool is_for(const Job& job, v1::Backend backend) { return job.submit().backend() == backend; }
 
 }  // namespace
@@ -26,30 +38,49 @@ JobQueue::JobPtr JobQueue::next(v1::Backend backend) {
   std::vector<Claim> waiting;
   for (const JobPtr& job : line_) {
     if (!is_for(*job, backend)) continue;
-    Admission may = admission(*job, taken);
-    const bool waits = may.verdict == Admission::Verdict::waits;
-    job->hold(waits ? std::move(may.reason) : std::string(), ahead);
-    if (!waits) waiting.push_back(claim_of(*job));
+    std::string obstacle = this->obstacle(*job, taken);
+    if (obstacle.empty()) waiting.push_back(claim_of(*job));
+    job->hold(std::move(obstacle), ahead);
   }
   const auto chosen = shares_[backend].choose(waiting);
   if (!chosen) return nullptr;
   JobPtr job = find(waiting[*chosen].order);
   std::erase(line_, job);
   shares_[backend].begin(job->user(), job->share());
-  keep_leads(backend);
+  keep_usage(backend);
   return job;
 }
 
 bool JobQueue::gives_way(const Job& running) {
   const v1::Backend backend = running.submit().backend();
+  if (!work_text(running).empty()) return true;
   const std::uint64_t taken = memory_taken() - memory_of(running);
   std::vector<Claim> rivals{claim_of(running)};
   for (const JobPtr& job : line_)
-    if (is_for(*job, backend) && admission(*job, taken).verdict != Admission::Verdict::waits)
-      rivals.push_back(claim_of(*job));
+    if (is_for(*job, backend) && obstacle(*job, taken).empty()) rivals.push_back(claim_of(*job));
   if (shares_[backend].choose(rivals) != std::size_t{0}) return true;
   shares_[backend].begin(running.user(), running.share());
+  if (rivals.size() > 1) keep_usage(backend);
   return false;
+}
+
+/// Why a queued job can't begin, whosever turn it is; empty: it can. `taken`: of memory.
+std::string JobQueue::obstacle(const Job& job, std::uint64_t taken) const {
+  if (std::string work = work_text(job); !work.empty()) return work;
+  Admission may = admission(job, taken);
+  return may.verdict == Admission::Verdict::waits ? std::move(may.reason) : std::string();
+}
+
+std::string JobQueue::work_text(const Job& job) const {
+  const AccountPtr& owner = job.owner();
+  if (!owner || owner->admin) return {};
+  const double most = owner->max_work.value_or(static_cast<double>(limits_.user_work));
+  if (most <= 0) return {};
+  const double now = clock_();
+  const auto free = work_.free_at(owner->name, most, now);
+  if (!free) return {};
+  return fmt::format("{} has had {:.0f} of {:g} s of workers within a day; goes on at {}",
+                     owner->name, work_.spent(owner->name, now), most, utc_text(*free));
 }
 
 /// By all jobs that have not ended.
@@ -68,18 +99,24 @@ void JobQueue::spend(Job& job, double seconds) {
   job.spend(seconds);
   counts_.worker_seconds[job.submit().backend()] += seconds;
   shares_[job.submit().backend()].charge(job.user(), job.share(), seconds);
+  work_.spend(job.user(), seconds, clock_());
   double& unkept = unkept_seconds_[job.submit().backend()];
   unkept += seconds;
-  if (unkept >= most_unkept_seconds) keep_leads(job.submit().backend());
+  if (unkept >= most_unkept_seconds) keep_usage(job.submit().backend());
 }
 
-/// What was spent is kept as a turn begins and ends, and now and then within a long one.
-void JobQueue::keep_leads(v1::Backend backend) {
-  if (!store_ || std::exchange(unkept_seconds_[backend], 0) == 0) return;
+/// What was spent is kept as a turn begins and ends while others wait, and now and then.
+void JobQueue::keep_usage(v1::Backend backend) {
+  if (std::exchange(unkept_seconds_[backend], 0) == 0) return;
+  const double now = clock_();
+  std::vector<KeptWork> work;
+  for (WorkLedger::Entry& entry : work_.take_changes(now))
+    work.push_back({std::move(entry.user), entry.hour, entry.seconds});
+  if (!store_) return;
   std::vector<KeptLead> leads;
   for (FairShare::Lead& lead : shares_[backend].leads())
     leads.push_back({backend, std::move(lead.user), lead.seconds});
-  store_->put_leads(backend, std::move(leads));
+  store_->put_usage(backend, std::move(leads), std::move(work), WorkLedger::first_hour(now));
 }
 
 /// Tells the shares whether the job's user still has any that waits or runs.
@@ -106,7 +143,7 @@ void JobQueue::hold(v1::Backend backend, const std::string& reason) {
 
 void JobQueue::put_back(JobPtr job) {
   assert(job->state() == v1::QUEUED);
-  keep_leads(job->submit().backend());
+  keep_usage(job->submit().backend());
   line_.push_back(std::move(job));
 }
 

@@ -208,6 +208,16 @@ const std::vector<Option>& all_options() {
        .max = 1024 * tib,
        .reloads = true},
 
+      {.name = "user-work",
+       .section = "workers",
+       .meaning =
+           "seconds that workers may spend on one user's jobs within a day, the hours of the "
+           "clock; then they wait. Not for admins; 0: as many as it wants",
+       .at = [](Settings& all) -> OptionTarget { return &all.service.limits.user_work; },
+       .min = 0,
+       .max = 1e9,
+       .reloads = true},
+
       {.name = "sessions",
        .section = "limits",
        .meaning = "sessions at a time; each takes a descriptor and some 20 KiB",

@@ -70,6 +70,7 @@ std::string limits_text(const User& user) {
   add("jobs", user.max_jobs);
   add("bytes", user.max_bytes);
   add("sessions", user.max_sessions);
+  if (user.max_work) text += ", work " + number_text(*user.max_work) + " s";
   return text;
 }
 
@@ -107,6 +108,9 @@ void declare_limits(CLI::App& add, UserChange& change) {
   limit("--max-jobs", change.max_jobs, "jobs that have not ended");
   limit("--max-bytes", change.max_bytes, "bytes of assets that its sessions and jobs keep");
   limit("--max-sessions", change.max_sessions, "sessions at a time");
+  add.add_option("--max-work", change.max_work,
+                 "seconds that workers may spend on its jobs within a day; 0: as many as it wants")
+      ->check(CLI::Range(0.0, 1e9));
 }
 
 /// The subcommands; each sets `task`.

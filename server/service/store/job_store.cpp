@@ -97,6 +97,7 @@ Result<void> JobStore::read(asio::any_io_executor loop) {
     kept_ = read_records(*database);
     next_id_ = last_id(*database) + 1;
     leads_ = read_leads(*database);
+    work_ = read_work(*database);
     remove_orphans();
     sync_folder(folder_);
     journal_ = std::make_unique<Journal>(std::move(loop), std::move(database));
@@ -144,10 +145,13 @@ void JobStore::put(v1::JobRecord record, const TileFile* tiles, Done done) {
       });
 }
 
-void JobStore::put_leads(v1::Backend backend, std::vector<KeptLead> leads) {
-  journal_->post([backend, leads = std::move(leads)](Database& database) {
-    write_leads(database, backend, leads);
-  });
+void JobStore::put_usage(v1::Backend backend, std::vector<KeptLead> leads,
+                         std::vector<KeptWork> work, std::int64_t first) {
+  journal_->post(
+      [backend, first, leads = std::move(leads), work = std::move(work)](Database& database) {
+        write_leads(database, backend, leads);
+        write_work(database, work, first);
+      });
 }
 
 void JobStore::remove(std::uint64_t id) {

@@ -46,10 +46,13 @@ class JobStore {
   };
   /// All jobs, by their numbers; given once, at the start.
   std::vector<Kept> take_kept() { return std::move(kept_); }
-  /// Of all backends; given once, at the start.
+  /// Of all backends, and of all users; given once, at the start.
   std::vector<KeptLead> take_leads() { return std::move(leads_); }
-  /// Keeps those of a backend, in the place of what was kept of it.
-  void put_leads(v1::Backend backend, std::vector<KeptLead> leads);
+  std::vector<KeptWork> take_work() { return std::move(work_); }
+  /// Keeps the leads of a backend, in the place of what was kept of it, and these hours; what is
+  /// of hours before `first` is forgotten.
+  void put_usage(v1::Backend backend, std::vector<KeptLead> leads, std::vector<KeptWork> work,
+                 std::int64_t first);
 
   /// Keeps a job as it is now. With `tiles` all of these are on the disk before; trouble where one
   /// could not be written.
@@ -84,6 +87,7 @@ class JobStore {
   std::uint64_t next_id_ = 1;
   std::vector<Kept> kept_;
   std::vector<KeptLead> leads_;
+  std::vector<KeptWork> work_;
   std::optional<StoreTrouble> trouble_;
   std::unique_ptr<Journal> journal_;
 };

@@ -26,6 +26,7 @@ CREATE TABLE users(
   max_jobs INTEGER,
   max_bytes INTEGER,
   max_sessions INTEGER,
+  max_work REAL,
   created_at REAL NOT NULL,
   revoked_at REAL) STRICT;
 CREATE TABLE tokens(
@@ -46,6 +47,11 @@ CREATE TABLE leads(
   user TEXT NOT NULL,
   seconds REAL NOT NULL,
   PRIMARY KEY(backend, user)) STRICT, WITHOUT ROWID;
+CREATE TABLE work(
+  user TEXT NOT NULL,
+  hour INTEGER NOT NULL,
+  seconds REAL NOT NULL,
+  PRIMARY KEY(user, hour)) STRICT, WITHOUT ROWID;
 )"};
 
 std::int64_t pragma(Database& database, const char* name) {

@@ -22,4 +22,21 @@ std::vector<KeptLead> read_leads(Database& database) {
   return leads;
 }
 
+void write_work(Database& database, const std::vector<KeptWork>& work, std::int64_t first) {
+  database.prepare("DELETE FROM work WHERE hour<?").bind(1, first).run();
+  Statement put =
+      database.prepare("INSERT OR REPLACE INTO work(user, hour, seconds) VALUES(?, ?, ?)");
+  for (const KeptWork& one : work)
+    put.bind(1, one.user).bind(2, one.hour).bind(3, one.seconds).run();
+}
+
+std::vector<KeptWork> read_work(Database& database) {
+  std::vector<KeptWork> work;
+  Statement all = database.prepare("SELECT user, hour, seconds FROM work");
+  while (all.step())
+    if (std::isfinite(all.real(2)) && all.real(2) >= 0)
+      work.push_back({all.bytes(0), all.integer(1), all.real(2)});
+  return work;
+}
+
 }  // namespace metamer::service

@@ -105,7 +105,7 @@ TEST(JobRecord, IsWatchedFromTheFirstEventToTheLast) {
     const std::function<void(const v1::JobEvent&)> show = [&](const v1::JobEvent&) { ++shown; };
     const Answer<JobRecord> record = co_await record_job(session, 7, JobParts::picture, show);
     EXPECT_TRUE(record);
-    EXPECT_EQ(record ? record->job_id : 0, 7u);
+    EXPECT_EQ(record ? record->job.number : 0, 7u);
   });
   EXPECT_FALSE(failure);
   EXPECT_EQ(asked.job_id(), 7u);

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "../temporary_state.h"
+#include "server/service/access/accounts.h"
 #include "server/service/ops/folders.h"
 #include "server/service/store/schema.h"
 
@@ -58,12 +59,31 @@ TEST_F(UsersTest, AddedAgainOnlyWhatIsSaidChanges) {
   ASSERT_TRUE(users_.add(first, 100));
   UserChange second = change("ann");
   second.max_sessions = 3;
+  second.max_work = 7.5;
   ASSERT_TRUE(users_.add(second, 101));
   const User found = users_.find("ann").value();
   EXPECT_EQ(found.role, v1::SUBMITTER);
   EXPECT_EQ(found.uid, 1001u);
   EXPECT_EQ(found.max_sessions, 3);
+  EXPECT_EQ(found.max_work, 7.5);
   EXPECT_EQ(users_.list().size(), 1u);
+}
+
+TEST_F(UsersTest, AnAccountHasItsLimitsAndKnowsAdminsWhoAreNotConnected) {
+  UserChange ann = change("ann", v1::SUBMITTER);
+  ann.max_work = 100;
+  ASSERT_TRUE(users_.add(ann, 0));
+  ASSERT_TRUE(users_.add(change("root", v1::ADMIN), 0));
+  UserChange owner = change("owner", v1::SUBMITTER);
+  owner.uid = ::getuid();
+  ASSERT_TRUE(users_.add(owner, 0));
+  Accounts accounts(&users_);
+  EXPECT_EQ(accounts.named("ann")->max_work, 100);
+  for (const char* name : {"ann", "192.0.2.7", "uid 4294967294"})
+    EXPECT_FALSE(accounts.named(name)->admin) << name;
+  for (const std::string name : {"root", "owner", "uid 0"})
+    EXPECT_TRUE(accounts.named(name)->admin) << name;
+  EXPECT_TRUE(accounts.named("uid " + std::to_string(::getuid()))->admin);
 }
 
 TEST_F(UsersTest, WhatIsNoUserIsSaid) {

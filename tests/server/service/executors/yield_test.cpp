@@ -44,6 +44,32 @@ bool is_finished(const v1::JobEvent& event) { return event.has_finished(); }
 
 }  // namespace
 
+TEST(WorkOfADay, AJobThatGoesBeyondItWaitsWithItsTiles) {
+  Daemon daemon([](ServiceOptions& options) {
+    options.worker.quantum = milliseconds(0);
+    options.limits.user_work = 1;
+  });
+  Client client(daemon.port());  // by a Unix socket it would be an admin
+  client.hello();
+  const auto job = client.submit("gate 5");
+  client.watch(job);
+  for (int tiles = 0; tiles < 5;) tiles += client.receive_event().has_tile();
+  const v1::JobEvent held = client.receive_event_until(
+      [](auto& event) { return event.has_queued() && event.sequence() > 1; });
+  EXPECT_NE(held.queued().reason().find("of 1 s of workers within a day"), std::string::npos)
+      << held.queued().reason();
+  const v1::JobSummary summary = client.summary(job);
+  EXPECT_EQ(summary.state(), v1::QUEUED);
+  EXPECT_GE(summary.tiles_done(), 5u);
+  EXPECT_NE(summary.reason().find("within a day"), std::string::npos);
+
+  Client admin(daemon.socket());
+  admin.hello();
+  const auto allowed = admin.submit("picture 8 8 8");
+  admin.watch(allowed);
+  admin.receive_event_until(is_finished);
+}
+
 TEST_F(Yield, ItCostsNoAttemptAndNoTile) {
   const auto job = job_at_the_gate(one_, "verify");
   const auto short_job = other_.submit("picture 8 8 8");

@@ -13,7 +13,9 @@ class QueueTurns : public testing::Test {
  protected:
   TemporaryFolder folder_ = TemporaryFolder::make().value();
   std::shared_ptr<AssetStore> store_ = AssetStore::open(folder_.path() / "store", 1000).value();
-  JobQueue queue_{1 << 20, 1};
+  Limits limits_;
+  double now_ = 1000 * 86400;
+  JobQueue queue_{1 << 20, 1, limits_, [this] { return now_; }};
   AccountPtr one_ = std::make_shared<Account>(Account{.name = "one"});
   AccountPtr other_ = std::make_shared<Account>(Account{.name = "other"});
 
@@ -102,6 +104,49 @@ TEST_F(QueueTurns, EachIsToldWhatItWaitsFor) {
   EXPECT_EQ(reason(stranger), "no worker starts: exited with code 3");
   queue_.hold(v1::CPU, "");
   EXPECT_EQ(reason(stranger), "1 other user has turns");
+}
+
+TEST_F(QueueTurns, WhoHasHadItsWorkOfTheDayWaitsAndOthersDoNot) {
+  limits_.user_work = 100;
+  submit(one_);
+  EXPECT_EQ(serve(99)->owner(), one_);
+  const auto last = submit(one_);
+  const auto held = submit(one_);
+  EXPECT_EQ(serve(50), last) << "it has begun within its quota";
+  EXPECT_EQ(queue_.next(v1::CPU), nullptr);
+  EXPECT_EQ(reason(held),
+            "one has had 149 of 100 s of workers within a day; goes on at 1972-09-28 00:00 UTC");
+  const auto others = submit(other_);
+  EXPECT_EQ(serve(1), others);
+
+  now_ += 86399;
+  EXPECT_EQ(queue_.next(v1::CPU), nullptr);
+  now_ += 1;
+  EXPECT_EQ(queue_.next(v1::CPU), held);
+  held->start();
+  EXPECT_FALSE(queue_.gives_way(*held));
+  queue_.spend(*held, 100);
+  EXPECT_TRUE(queue_.gives_way(*held)) << "though nobody else waits";
+}
+
+TEST_F(QueueTurns, AWorkOfOnesOwnGoesBeforeThatOfAllAndAdminsHaveNone) {
+  limits_.user_work = 10;
+  one_->max_work = 0;
+  other_->admin = true;
+  for (const AccountPtr& user : {one_, other_}) {
+    submit(user);
+    submit(user);
+    EXPECT_NE(serve(1000), nullptr);
+    EXPECT_NE(serve(1000), nullptr);
+  }
+  one_->max_work = 3000;
+  other_->admin = false;
+  const auto allowed = submit(one_);
+  submit(other_);
+  EXPECT_EQ(serve(1), allowed);
+  EXPECT_EQ(queue_.next(v1::CPU), nullptr);
+  limits_.user_work = 0;
+  EXPECT_NE(queue_.next(v1::CPU), nullptr) << "as SIGHUP changes it";
 }
 
 }  // namespace metamer::service::test

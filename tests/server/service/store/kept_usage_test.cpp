@@ -16,9 +16,13 @@ class KeptUsage : public testing::Test {
     boost::asio::io_context loop;
     std::shared_ptr<AssetStore> assets;
     std::unique_ptr<JobStore> store;
-    JobQueue queue{1 << 20, 1};
+    JobQueue queue;
+    explicit Running(const Limits& limits, WallClock clock)
+        : queue(1 << 20, 1, limits, std::move(clock)) {}
   };
   TemporaryState state_;
+  Limits limits_;
+  double now_ = 1000 * 86400 + 1800;
   std::unique_ptr<Running> running_;
   AccountPtr one_ = std::make_shared<Account>(Account{.name = "one"});
   AccountPtr other_ = std::make_shared<Account>(Account{.name = "other"});
@@ -27,7 +31,7 @@ class KeptUsage : public testing::Test {
 
   void start() {
     running_.reset();
-    running_ = std::make_unique<Running>();
+    running_ = std::make_unique<Running>(limits_, [this] { return now_; });
     running_->assets = AssetStore::open(state_.path() / "assets", 1000).value();
     running_->store = JobStore::open(running_->loop.get_executor(), state_.path()).value();
     queue().keep_in(*running_->store, "");
@@ -37,7 +41,7 @@ class KeptUsage : public testing::Test {
       if (!job->ended()) job->go_on("", 0);
       queue().restore(job);
     }
-    queue().restore(running_->store->take_leads());
+    queue().restore(running_->store->take_leads(), running_->store->take_work());
   }
   void SetUp() override { start(); }
 
@@ -101,6 +105,22 @@ TEST_F(KeptUsage, AJobKeepsWhatWorkersSpentOnItThoughNothingElseHappens) {
   ASSERT_TRUE(job->pause());
   start();
   EXPECT_EQ(seconds(id), known + 3);
+}
+
+TEST_F(KeptUsage, ARestartGivesNobodyANewDaysWork) {
+  limits_.user_work = 100;
+  auto job = begin(submit(one_));
+  queue().spend(*job, 60);
+  start();
+  now_ += 3600;
+  job = begin(job->id());
+  queue().spend(*job, 50);
+  start();
+  EXPECT_EQ(queue().next(v1::CPU), nullptr);
+  EXPECT_EQ(queue().work_text(*queue().find(job->id())),
+            "one has had 110 of 100 s of workers within a day; goes on at 1972-09-28 00:00 UTC");
+  now_ += 23 * 3600;
+  EXPECT_NE(queue().next(v1::CPU), nullptr);
 }
 
 }  // namespace metamer::service::test
