@@ -51,7 +51,7 @@ void limit(__rlimit_resource resource, std::uint64_t most) {
 std::uint64_t bytes_of(const v1::ImportMesh& request, const std::filesystem::path& store) {
   std::uint64_t sum = 0;
   for (const v1::AssetName& asset : request.asset())
-    if (const auto bytes = worker::map_stored(store, asset.sha256())) sum += bytes->size();
+    sum += worker::stored_bytes(store, asset.sha256());
   return sum;
 }
 
@@ -81,9 +81,13 @@ Result<Descriptor> read(const v1::ImportMesh& message, const std::filesystem::pa
   const auto files = [&](const std::string& name) -> Result<Bytes> {
     const auto found = digests.find(name);
     auto bytes = found == digests.end() ? problem("was not sent along")
-                                        : worker::map_stored(store, found->second);
-    if (!bytes) bytes.error().file = name;
-    return bytes;
+                                        : worker::read_stored(store, found->second);
+    if (!bytes) {
+      bytes.error().file = name;
+      return tl::unexpected(std::move(bytes.error()));
+    }
+    const auto owner = std::make_shared<const std::string>(*std::move(bytes));
+    return Bytes(owner, {owner->data(), owner->size()});
   };
   try {
     do_as_a_test_says(std::getenv("METAMER_TEST_IMPORT"));

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-/// What a process that reads what strangers made may still do: compute, read the store, and talk
+/// What a process that reads what strangers made may still do: compute, read one folder, and talk
 /// over the descriptors that it was given.
 namespace metamer::sandbox {
 

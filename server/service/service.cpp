@@ -234,6 +234,7 @@ void Service::stop() {
   cpu_.stop();
   cpu_views_.stop();
   gl_.stop();
+  if (store_) store_->stop();
 }
 
 }  // namespace metamer::service

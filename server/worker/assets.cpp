@@ -1,12 +1,8 @@
 #include "server/worker/assets.h"
 
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <unistd.h>
-
+#include <algorithm>
 #include <fstream>
 #include <map>
-#include <memory>
 #include <set>
 
 #include "common/digest.h"
@@ -17,57 +13,61 @@ namespace metamer::worker {
 
 namespace {
 
-struct StoredFile {
-  std::filesystem::path path;
-  std::size_t size;
-};
+constexpr const char* damage = "the server's file is damaged; send it again";
 
-Result<StoredFile> find_stored(const std::filesystem::path& store, const std::string& digest) {
-  const auto known = digest_from_bytes(digest);
-  if (!known) return problem("has no digest");
-  std::filesystem::path path = store / to_hex(*known);
-  std::error_code error;
-  const auto size = std::filesystem::file_size(path, error);
-  if (error) return problem("is not in the store");
-  if (size > limits::max_asset) return problem("is too large");
-  return StoredFile{std::move(path), size};
+std::string digest_of(const std::string& name, const AssetNames& names) {
+  // The last one is meant.
+  for (int i = names.size(); i-- > 0;)
+    if (names[i].name() == name) return names[i].sha256();
+  return {};
 }
 
 }  // namespace
 
+std::uint64_t stored_bytes(const std::filesystem::path& store, const std::string& digest) {
+  const auto known = digest_from_bytes(digest);
+  std::error_code error;
+  const auto size = known ? std::filesystem::file_size(store / to_hex(*known), error) : 0;
+  return error ? 0 : size;
+}
+
 Result<std::string> read_stored(const std::filesystem::path& store, const std::string& digest) {
-  const auto file = find_stored(store, digest);
-  if (!file) return tl::unexpected(file.error());
-  std::string bytes(file->size, '\0');
-  std::ifstream in(file->path, std::ios::binary);
-  if (!in.read(bytes.data(), static_cast<std::streamsize>(file->size)))
-    return problem("can't be read");
+  const auto known = digest_from_bytes(digest);
+  if (!known) return problem("has no digest");
+  const std::uint64_t size = stored_bytes(store, digest);
+  if (size > limits::max_asset) return problem(damage);
+
+  // Hash each piece while the processor has it at hand.
+  constexpr std::size_t piece = 256u << 10;
+  std::string bytes(size, '\0');
+  DigestStream sum;
+  std::ifstream in(store / to_hex(*known), std::ios::binary);
+  for (std::size_t at = 0; at < bytes.size(); at += piece) {
+    const std::size_t length = std::min(piece, bytes.size() - at);
+    if (!in.read(bytes.data() + at, static_cast<std::streamsize>(length))) break;
+    sum.update({bytes.data() + at, length});
+  }
+  if (!in || sum.finish() != *known) return problem(damage);
   return bytes;
 }
 
-Result<Bytes> map_stored(const std::filesystem::path& store, const std::string& digest) {
-  const auto file = find_stored(store, digest);
-  if (!file) return tl::unexpected(file.error());
-  const std::size_t size = file->size;
-  if (size == 0) return Bytes();
-  const int fd = open(file->path.c_str(), O_RDONLY | O_CLOEXEC);
-  void* const at = fd < 0 ? MAP_FAILED : mmap(nullptr, size, PROT_READ, MAP_PRIVATE, fd, 0);
-  if (fd >= 0) close(fd);
-  if (at == MAP_FAILED) return problem("can't be read");
-  const std::shared_ptr<void> owner(at, [size](void* from) { munmap(from, size); });
-  return Bytes(owner, {static_cast<const char*>(at), size});
-}
+bool is_damage(const Problem& problem) { return problem.message == damage; }
 
-AssetReader stored_assets(const AssetNames& names, const std::filesystem::path& store) {
-  std::map<std::string, std::string> digests;
-  for (const v1::AssetName& asset : names) digests[asset.name()] = asset.sha256();
-  return [digests = std::move(digests), store](const std::string& name) -> Result<std::string> {
-    const auto found = digests.find(name);
-    auto bytes =
-        found == digests.end() ? problem("was not sent along") : read_stored(store, found->second);
-    if (!bytes) bytes.error().file = name;
+AssetReader stored_assets(const AssetNames& names, const std::filesystem::path& store,
+                          const TellDamage& tell_damage) {
+  return [names, store, tell_damage](const std::string& name) -> Result<std::string> {
+    const std::string digest = digest_of(name, names);
+    auto bytes = digest.empty() ? problem("was not sent along") : read_stored(store, digest);
+    if (bytes) return bytes;
+    bytes.error().file = name;
+    tell_damage_of(bytes.error(), names, tell_damage);
     return bytes;
   };
+}
+
+void tell_damage_of(const Problem& problem, const AssetNames& names,
+                    const TellDamage& tell_damage) {
+  if (is_damage(problem)) tell_damage(digest_of(problem.file, names));
 }
 
 std::string mesh_file_key(const std::string& file, const AssetNames& names) {

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 
-#include "common/mesh/mesh_file.h"
 #include "common/scene/validate.h"
 #include "metamer/v1/jobs.pb.h"
 #include "metamer/v1/scene.pb.h"
@@ -11,16 +12,27 @@
 
 namespace metamer::worker {
 
-/// An asset's bytes from the store. The daemon has checked digest and size.
+/// An asset's bytes from the folder of those that this worker sees, which have its digest: they are
+/// a copy, since a file may change while it is read. Error: is_damage().
 Result<std::string> read_stored(const std::filesystem::path& store, const std::string& digest);
 
-/// The same without a copy, for a process that may die of a file that is cut short meanwhile.
-Result<Bytes> map_stored(const std::filesystem::path& store, const std::string& digest);
+/// Their number, as the system says it; 0 where there is no such file.
+std::uint64_t stored_bytes(const std::filesystem::path& store, const std::string& digest);
+
+/// Says that a file of the server's is not what it was, which is no fault of the scene's.
+bool is_damage(const Problem& problem);
+
+/// Is told the digest of such a file. From any thread.
+using TellDamage = std::function<void(const std::string& digest)>;
 
 using AssetNames = google::protobuf::RepeatedPtrField<v1::AssetName>;
 
 /// Assets by the names that a scene uses.
-AssetReader stored_assets(const AssetNames& names, const std::filesystem::path& store);
+AssetReader stored_assets(const AssetNames& names, const std::filesystem::path& store,
+                          const TellDamage& tell_damage);
+
+/// Of a mesh that was imported, or could not be: tells of the file whose fault that was.
+void tell_damage_of(const Problem& problem, const AssetNames& names, const TellDamage& tell_damage);
 
 /// Which bytes a mesh file is: with its own digest, of a .gltf those of all `names`, as it may name
 /// others.

@@ -11,9 +11,19 @@
 #include "server/render/verify.h"
 #include "server/scene/camera_space.h"
 #include "server/scene/compile.h"
-#include "server/worker/assets.h"
 
 namespace metamer::worker {
+
+Result<v1::Scene> WorkerOptions::scene(const std::string& digest) const {
+  const auto bytes = read_stored(store, digest);
+  if (!bytes) {
+    if (is_damage(bytes.error())) tell_damage(digest);
+    return tl::unexpected(bytes.error());
+  }
+  v1::Scene scene;
+  if (!scene.ParseFromString(*bytes)) return problem("the scene's bytes are no scene");
+  return scene;
+}
 
 Job::Job(std::uint64_t id, const WorkerOptions& options, Link& link, Work& work,
          ViewTurns& view_turns)
@@ -30,10 +40,9 @@ void Job::compile(const v1::CompileJob& message) {
   messages_.preparing(v1::Preparing::READING);
 
   // Parse the scene, with the defaults of its settings filled in.
-  auto bytes = read_stored(options_.store, message.scene_sha256());
-  v1::Scene scene;
-  if (!bytes || !scene.ParseFromString(*bytes))
-    return messages_.failed(v1::Failed::BAD_INPUT, "the scene's bytes are no scene");
+  auto read = options_.scene(message.scene_sha256());
+  if (!read) return messages_.failed({std::move(read.error())});
+  v1::Scene scene = *std::move(read);
   *scene.mutable_settings() = with_defaults(scene.settings());
   scene.mutable_settings()->set_backend(options_.backend->id());
   ++work_;
@@ -41,7 +50,7 @@ void Job::compile(const v1::CompileJob& message) {
   // Compile it: names, spectra and meshes become flat arrays.
   tl::expected<RenderScene, std::vector<Problem>> compiled;
   view_turns_.serve_while([&] {
-    compiled = compile_scene(scene, stored_assets(message.asset(), options_.store),
+    compiled = compile_scene(scene, options_.assets(message.asset()),
                              options_.meshes(message.asset(), stopped_), stopped_);
   });
   ++work_;

@@ -15,6 +15,7 @@
 #include "server/plan/plan.h"
 #include "server/render/renderer.h"
 #include "server/scene/render_scene.h"
+#include "server/worker/assets.h"
 #include "server/worker/job_messages.h"
 #include "server/worker/link.h"
 #include "server/worker/view_turns.h"
@@ -23,11 +24,12 @@ namespace metamer::worker {
 
 /// What a worker is started with.
 struct WorkerOptions {
-  std::filesystem::path store;  ///< Assets, by their hex digest.
+  std::filesystem::path store;  ///< The assets that it sees, by their hex digest.
   unsigned threads = 0;
   Backend* backend = nullptr;                  ///< What it draws by.
   int film_descriptor = -1;                    ///< Shared memory, sized by the daemon.
   const import::Importer* importer = nullptr;  ///< Reads mesh files.
+  TellDamage tell_damage = [](const std::string&) {};
 
   /// As plans see them.
   Capabilities plan_capabilities() const {
@@ -36,9 +38,16 @@ struct WorkerOptions {
   /// Of a scene's files, in the importer. What is named has to outlive it.
   MeshImport meshes(const AssetNames& names, const std::atomic<bool>& cancelled) const {
     return [this, &names, &cancelled](const MeshRequest& request) {
-      return importer->import(request, names, cancelled);
+      auto meshes = importer->import(request, names, cancelled);
+      if (!meshes) tell_damage_of(meshes.error(), names, tell_damage);
+      return meshes;
     };
   }
+  AssetReader assets(const AssetNames& names) const {
+    return stored_assets(names, store, tell_damage);
+  }
+  /// The scene of this digest. Errors: is_damage(); other bytes than a scene's.
+  Result<v1::Scene> scene(const std::string& digest) const;
 };
 
 /// Counts pixels and other steps, for the heartbeat.

@@ -81,18 +81,13 @@ void JobMessages::stopped() {
 
 void JobMessages::failed(v1::Failed::Kind kind, const std::string& reason) {
   v1::WorkerEnvelope message = envelope();
-  message.mutable_failed()->set_kind(kind);
-  message.mutable_failed()->set_reason(reason);
+  *message.mutable_failed() = failed_for(kind, reason);
   send_last(message);
 }
 
 void JobMessages::failed(const std::vector<Problem>& problems) {
   v1::WorkerEnvelope message = envelope();
-  v1::Failed& failed = *message.mutable_failed();
-  failed.set_kind(v1::Failed::BAD_INPUT);
-  failed.set_reason("the scene has " + std::to_string(problems.size()) +
-                    (problems.size() == 1 ? " problem" : " problems"));
-  add_problems(problems, *failed.mutable_problem());
+  *message.mutable_failed() = failed_for(problems);
   send_last(message);
 }
 

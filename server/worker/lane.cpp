@@ -65,6 +65,7 @@ bool Lane::take(const v1::WorkerEnvelope& message) {
     case v1::WorkerEnvelope::kStopped:
     case v1::WorkerEnvelope::kFailed:
     case v1::WorkerEnvelope::kViewEvent:
+    case v1::WorkerEnvelope::kAssetDamaged:
     case v1::WorkerEnvelope::BODY_NOT_SET:
       return false;
   }

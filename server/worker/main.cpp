@@ -76,6 +76,11 @@ int run(metamer::worker::WorkerOptions options, const std::string& gl_device, bo
   options.importer = importer.get();
   metamer::worker::end_when_out_of_memory();
   metamer::worker::Link link(link_descriptor);
+  options.tell_damage = [&link](const std::string& digest) {
+    metamer::v1::WorkerEnvelope message;
+    message.mutable_asset_damaged()->set_sha256(digest);
+    link.send(message);
+  };
   std::unique_ptr<metamer::gl::Device> device;
   std::unique_ptr<metamer::Backend> backend;
   if (gl_device.empty()) {

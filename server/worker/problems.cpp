@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/scene/findings.h"
+#include "server/worker/assets.h"
 
 namespace metamer::worker {
 namespace {
@@ -38,6 +39,32 @@ void add_problems(const std::vector<Problem>& problems,
                   google::protobuf::RepeatedPtrField<v1::Problem>& to) {
   // A hostile scene can have more problems than a frame holds; nobody reads the 101st.
   for (std::size_t i = 0; i < problems.size() && i < 100; ++i) set_problem(problems[i], *to.Add());
+}
+
+v1::Failed failed_for(v1::Failed::Kind kind, const std::string& reason) {
+  v1::Failed failed;
+  failed.set_kind(kind);
+  failed.set_reason(reason);
+  return failed;
+}
+
+v1::Failed failed_for(const std::vector<Problem>& problems) {
+  const std::size_t count = problems.size();
+  const bool has_place = count > 1 || !problems[0].field.empty() || !problems[0].file.empty();
+  const auto damaged = std::find_if(problems.begin(), problems.end(), is_damage);
+  v1::Failed failed;
+  if (damaged != problems.end())
+    failed = failed_for(v1::Failed::SERVER,
+                        "the server's file of " +
+                            (damaged->file.empty() ? "the scene" : shown(damaged->file, 500)) +
+                            " is damaged; send it again");
+  else if (has_place)
+    failed = failed_for(v1::Failed::BAD_INPUT, "the scene has " + std::to_string(count) +
+                                                   (count == 1 ? " problem" : " problems"));
+  else
+    failed = failed_for(v1::Failed::BAD_INPUT, shown(problems[0].message, 1000));
+  if (has_place) add_problems(problems, *failed.mutable_problem());
+  return failed;
 }
 
 }  // namespace metamer::worker

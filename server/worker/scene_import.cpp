@@ -14,7 +14,7 @@ using Outcome = tl::expected<ImportedScene, std::vector<Problem>>;
 Outcome import(v1::Scene message, AssetNames names, int of_objects, KnownMeshes meshes,
                const WorkerOptions& options, const std::atomic<bool>& cancelled) {
   const auto start = Clock::now();
-  auto compiled = compile_scene(message, stored_assets(names, options.store),
+  auto compiled = compile_scene(message, options.assets(names),
                                 meshes.reusing(options.meshes(names, cancelled), names), cancelled);
   if (!compiled) return tl::unexpected(std::move(compiled.error()));
   ImportedScene result;

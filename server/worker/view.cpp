@@ -50,14 +50,10 @@ View::~View() = default;
 
 bool View::open(const v1::OpenView& message) {
   begun_ = Clock::now();
-  v1::Scene scene;
-  const auto bytes = read_stored(options_.store, message.scene_sha256());
-  if (!bytes || !scene.ParseFromString(*bytes)) {
-    send_closed(v1::Failed::BAD_INPUT, "the scene's bytes are no scene");
-    return false;
-  }
-  const Problems problems = scene_.open(std::move(scene), message.asset());
-  if (!problems.empty()) send_closed(v1::Failed::BAD_INPUT, "the scene has problems", problems);
+  auto scene = options_.scene(message.scene_sha256());
+  const Problems problems =
+      scene ? scene_.open(*std::move(scene), message.asset()) : Problems{std::move(scene.error())};
+  if (!problems.empty()) send_closed(failed_for(problems));
   return problems.empty();
 }
 
@@ -76,7 +72,7 @@ bool View::adopt() {
   ++work_;
   if (!imported && method_) return refuse(asked_revision_, imported.error());
   if (!imported) {
-    send_closed(v1::Failed::BAD_INPUT, "the scene has problems", imported.error());
+    send_closed(failed_for(imported.error()));
     return false;
   }
   timing_ = imported->timing;
@@ -107,7 +103,9 @@ bool View::prepare() {
   const Problems refused =
       refusals(scene_.scene(), scene_.settings(), options_.plan_capabilities(), false);
   if (!refused.empty()) {
-    send_closed(v1::Failed::BAD_INPUT, refused.front().message, refused);
+    v1::Failed failed = failed_for(refused);
+    failed.set_reason(refused.front().message);
+    send_closed(failed);
     return false;
   }
   const auto start = Clock::now();
@@ -120,7 +118,7 @@ bool View::prepare() {
   const Result<void> done = developer ? scene_.renderer().change(plan_, *method, no_end)
                                       : tl::unexpected(developer.error());
   if (!done) {
-    send_closed(v1::Failed::SERVER, done.error().message);
+    send_closed(failed_for(v1::Failed::SERVER, done.error().message));
     return false;
   }
   scene_.renderer().report(timing_);
@@ -162,7 +160,7 @@ bool View::draw() {
   const auto whole = scene_.renderer().draw({no_end, is_over, work_});
   ++work_;
   if (!whole) {
-    send_closed(v1::Failed::SERVER, whole.error().message);
+    send_closed(failed_for(v1::Failed::SERVER, whole.error().message));
     // The next one gets a new worker, with a new device.
     if (!options_.backend->is_sound()) std::_Exit(1);
     return false;
@@ -268,12 +266,9 @@ bool View::refuse(std::uint64_t revision, const Problems& problems) {
   return true;
 }
 
-void View::send_closed(v1::Failed::Kind kind, const std::string& reason, const Problems& problems) {
+void View::send_closed(const v1::Failed& reason) {
   v1::WorkerEnvelope message = event();
-  v1::Failed& failed = *message.mutable_view_event()->mutable_closed()->mutable_reason();
-  failed.set_kind(kind);
-  failed.set_reason(reason);
-  add_problems(problems, *failed.mutable_problem());
+  *message.mutable_view_event()->mutable_closed()->mutable_reason() = reason;
   link_.send(message);
 }
 

@@ -71,7 +71,7 @@ class View {
   void send_updated(bool planned);
   void answer_probes();
   bool refuse(std::uint64_t revision, const Problems& problems);
-  void send_closed(v1::Failed::Kind kind, const std::string& reason, const Problems& problems = {});
+  void send_closed(const v1::Failed& reason);
   v1::WorkerEnvelope event() const;
 
   std::uint64_t id_;

@@ -79,10 +79,9 @@ tl::expected<ViewScene::Source, ViewScene::Problems> ViewScene::read(
     const v1::UpdateView& update) const {
   Source source{now_.message, now_.names, now_.of_objects};
   if (!update.scene_sha256().empty()) {
-    const auto bytes = read_stored(options_.store, update.scene_sha256());
-    if (!bytes || !source.scene.ParseFromString(*bytes))
-      return tl::unexpected(
-          Problems{{.field = "", .file = {}, .message = "the scene's bytes are no scene"}});
+    auto scene = options_.scene(update.scene_sha256());
+    if (!scene) return tl::unexpected(Problems{std::move(scene.error())});
+    source.scene = *std::move(scene);
     *source.scene.mutable_settings() = view_settings(source.scene.settings(), *options_.backend);
     source.names.Clear();
     source.of_objects = update.asset_size();
@@ -132,7 +131,7 @@ tl::expected<ViewScene::Change, ViewScene::Problems> ViewScene::change_camera(So
 
 /// Lights, materials and camera anew, while the objects stay; all, where they do not.
 tl::expected<ViewScene::Change, ViewScene::Problems> ViewScene::change_appearance(Source source) {
-  auto compiled = compile_appearance(source.scene, stored_assets(source.names, options_.store));
+  auto compiled = compile_appearance(source.scene, options_.assets(source.names));
   if (!compiled) return tl::unexpected(std::move(compiled.error()));
   const AssetNames of_objects(source.names.begin(), source.names.begin() + source.of_objects);
   if (objects_key(source.scene, *compiled, of_objects) != now_.objects_key ||

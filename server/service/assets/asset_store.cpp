@@ -4,11 +4,11 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <fstream>
 #include <optional>
 #include <utility>
+
+#include "server/service/assets/asset_folder.h"
 
 namespace metamer::service {
 
@@ -34,20 +34,6 @@ std::optional<Digest> digest_of_name(const std::string& name) {
     digest[i] = static_cast<unsigned char>(high * 16 + low);
   }
   return digest;
-}
-
-/// The digest of a file's bytes, and their number.
-std::pair<Digest, std::uint64_t> digest_of_file(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  DigestStream sum;
-  std::uint64_t size = 0;
-  std::vector<char> piece(1 << 20);
-  while (file.read(piece.data(), static_cast<std::streamsize>(piece.size())) || file.gcount() > 0) {
-    const auto got = static_cast<std::size_t>(file.gcount());
-    sum.update({piece.data(), got});
-    size += got;
-  }
-  return {sum.finish(), size};
 }
 
 std::int64_t nanoseconds(const timespec& time) {
@@ -81,48 +67,59 @@ Result<void> AssetStore::scan() {
   // Take over the assets, oldest first, and clear away what is none.
   struct Found {
     fs::file_time_type time;
-    fs::path path;
+    std::uint64_t size;
+    Digest digest;
   };
   std::vector<Found> found;
   std::error_code error;
   for (fs::directory_iterator entry(folder_, error), end; !error && entry != end;
        entry.increment(error)) {
-    const fs::path& path = entry->path();
+    const std::string name = entry->path().filename().string();
     std::error_code ignored;
-    if (path.filename().string().starts_with("upload-")) fs::remove(path, ignored);
-    if (!digest_of_name(path.filename().string()) || !entry->is_regular_file(ignored)) continue;
-    found.push_back({entry->last_write_time(ignored), path});
+    if (name.starts_with("upload-")) fs::remove(entry->path(), ignored);
+    if (name.starts_with(worker_folder)) fs::remove_all(entry->path(), ignored);
+    const auto digest = digest_of_name(name);
+    if (digest && FileStamp::of(entry->path()).inode != 0)
+      found.push_back({entry->last_write_time(ignored), entry->file_size(ignored), *digest});
   }
   if (error) return problem("can't read the store " + folder_.string() + ": " + error.message());
   std::sort(found.begin(), found.end(),
             [](const Found& a, const Found& b) { return a.time < b.time; });
   for (const Found& asset : found) {
-    const auto [digest, size] = digest_of_file(asset.path);
-    if (to_hex(digest) == asset.path.filename() && take(size, nullptr)) {
-      insert(digest, size);
-    } else {
-      fs::remove(asset.path, error);
-    }
+    if (take(asset.size, nullptr))
+      insert(asset.digest, asset.size).doubted = true;
+    else
+      fs::remove(file(asset.digest), error);
   }
   return {};
 }
 
-void AssetStore::insert(const Digest& digest, std::uint64_t size) {
+AssetStore::Asset& AssetStore::insert(const Digest& digest, std::uint64_t size) {
   assert(!assets_.contains(digest));
   const auto use = by_use_.insert(by_use_.end(), digest);
-  assets_.emplace(digest, Asset{size, {}, use, FileStamp::of(file(digest))});
+  return assets_
+      .emplace(digest,
+               Asset{.size = size, .holds = {}, .use = use, .stamp = FileStamp::of(file(digest))})
+      .first->second;
 }
 
-bool AssetStore::has(const Digest& digest) {
+void AssetStore::mend(const Digest& digest, std::uint64_t size) {
+  // What was found at the start may have had another size, by which it was counted.
+  Asset& asset = assets_.at(digest);
+  const std::uint64_t more = size - asset.size;
+  for (const auto& [account, count] : asset.holds)
+    if (account) account->asset_bytes += more;
+  if (!asset.holds.empty()) kept_ += more;
+  bytes_ += more;
+  asset.size = size;
+  asset.stamp = FileStamp::of(file(digest));
+  asset.doubted = asset.damaged = false;
+  asset.reading = 0;
+}
+
+bool AssetStore::has(const Digest& digest) const {
   const auto found = assets_.find(digest);
-  if (found == assets_.end() || found->second.damaged) return false;
-  Asset& asset = found->second;
-  const FileStamp stamp = FileStamp::of(file(digest));
-  if (stamp == asset.stamp) return true;
-  asset.damaged = stamp.size != asset.size || digest_of_file(file(digest)).first != digest;
-  if (asset.damaged) spdlog::error("the store's {} is damaged", file(digest).string());
-  asset.stamp = stamp;
-  return !asset.damaged;
+  return found != assets_.end() && !found->second.damaged;
 }
 
 bool AssetStore::damaged(const Digest& digest) const {
@@ -130,10 +127,24 @@ bool AssetStore::damaged(const Digest& digest) const {
   return found != assets_.end() && found->second.damaged;
 }
 
-void AssetStore::mend(const Digest& digest) {
-  Asset& asset = assets_.at(digest);
-  asset.stamp = FileStamp::of(file(digest));
-  asset.damaged = false;
+bool AssetStore::is_there(const Digest& digest) const {
+  if (!has(digest)) return false;
+  const FileStamp stamp = FileStamp::of(file(digest));
+  return stamp.inode != 0 && stamp.size == assets_.at(digest).size;
+}
+
+/// Its bytes were read, or came, and are the same still.
+bool AssetStore::is_unchanged(const Digest& digest) const {
+  const auto found = assets_.find(digest);
+  return found != assets_.end() && !found->second.damaged && !found->second.doubted &&
+         found->second.stamp == FileStamp::of(file(digest));
+}
+
+void AssetStore::doubt(const Digest& digest) {
+  const auto found = assets_.find(digest);
+  if (found == assets_.end() || found->second.doubted) return;
+  spdlog::error("a worker found the store's {} to be damaged", file(digest).string());
+  found->second.doubted = true;
 }
 
 bool AssetStore::hold(const Digest& digest, const AccountPtr& account) {
@@ -227,7 +238,7 @@ std::uint64_t AssetHolds::bytes_of(const Digest& digest) const {
 
 std::optional<Digest> AssetHolds::damaged() const {
   const auto found = std::find_if(held_.begin(), held_.end(),
-                                  [&](const auto& held) { return !store_->has(held); });
+                                  [&](const auto& held) { return !store_->is_there(held); });
   return found == held_.end() ? std::nullopt : std::optional(*found);
 }
 

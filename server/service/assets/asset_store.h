@@ -1,7 +1,9 @@
 #pragma once
 
+#include <boost/asio.hpp>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <list>
 #include <map>
 #include <memory>
@@ -13,6 +15,7 @@
 #include "common/digest.h"
 #include "common/problem.h"
 #include "server/service/access/accounts.h"
+#include "server/service/assets/file_reader.h"
 #include "server/service/refusal.h"
 
 namespace metamer::service {
@@ -33,25 +36,45 @@ struct FileStamp {
 /// A folder of assets, each a file that is named by the hex of its digest. It holds at most `quota`
 /// bytes: the assets that were not used for longest go first, but never one that is held. Whoever
 /// holds an asset keeps the store too. A file that was changed or removed behind the store's back
-/// makes its asset a damaged one, which counts as missing until it is uploaded anew.
+/// makes its asset a damaged one, which counts as missing until it is uploaded anew: look() finds
+/// it. For one thread, which no file's bytes are read on.
 class AssetStore : public std::enable_shared_from_this<AssetStore> {
  public:
-  /// Opens or makes the folder. Left-overs of broken uploads are removed, and so is every file
-  /// whose bytes do not have the digest that it is named by (a disk that filled up, a power cut):
-  /// that reads the whole store once. Errors: a folder that can't be made, read or written.
+  /// Opens or makes the folder. Left-overs of broken uploads and of workers' folders are removed;
+  /// no file is read before look(). Errors: a folder that can't be made, read or written.
   static Result<std::shared_ptr<AssetStore>> open(std::filesystem::path folder,
                                                   std::uint64_t quota);
 
   AssetStore(const AssetStore&) = delete;
   AssetStore& operator=(const AssetStore&) = delete;
 
-  /// Looks at the file, and reads it where it is not the one that was looked at last.
-  bool has(const Digest& digest);
+  /// Waits until those files are read anew that are not the ones that were read last. To be asked
+  /// whenever somebody names assets. A file that can't be read now, or that changes all the time,
+  /// is left for the worker to judge.
+  asio::awaitable<void> look(std::vector<Digest> digests);
+  /// As look() has found it.
+  bool has(const Digest& digest) const;
   bool damaged(const Digest& digest) const;
+  /// And its file is there, with its size.
+  bool is_there(const Digest& digest) const;
+  /// A worker has read other bytes, or says so: the next look() reads them.
+  void doubt(const Digest& digest);
+
   std::filesystem::path file(const Digest& digest) const { return folder_ / to_hex(digest); }
+  /// Makes a hard link to a file, and gives its inode. Error: the system's.
+  Result<std::uint64_t> link(const Digest& digest, const std::filesystem::path& to);
+  /// Removes one.
+  void unlink(const Digest& digest, const std::filesystem::path& link);
+  /// Of its file; 0: there was none. It is another one once the asset was uploaded anew.
+  std::uint64_t inode(const Digest& digest) const;
+
   /// Of assets and of what has come of uploads; never above the quota.
   std::uint64_t bytes() const { return bytes_; }
   const std::filesystem::path& folder() const { return folder_; }
+  /// Of files, so far.
+  std::uint64_t readings() const { return readings_; }
+  /// No file is read any more, so that nobody waits for one.
+  void stop() { reader_.stop(); }
 
  private:
   friend class AssetHolds;
@@ -61,14 +84,21 @@ class AssetStore : public std::enable_shared_from_this<AssetStore> {
     std::uint64_t size = 0;
     std::map<AccountPtr, std::uint64_t> holds;  // how many of each account
     std::list<Digest>::iterator use;            // in by_use_
-    FileStamp stamp;
-    bool damaged = false;
+    FileStamp stamp;                            // of the file that was looked at last,
+    bool doubted = false;                       // whose bytes may be others,
+    bool damaged = false;                       // or are
+    std::uint64_t reading = 0;                  // the number of the reading under way; 0: none
   };
 
   AssetStore(std::filesystem::path folder, std::uint64_t quota);
   Result<void> scan();
-  void insert(const Digest& digest, std::uint64_t size);
-  void mend(const Digest& digest);  // its file is there anew
+  Asset& insert(const Digest& digest, std::uint64_t size);
+  void mend(const Digest& digest, std::uint64_t size);  // its file is there anew
+  bool is_unchanged(const Digest& digest) const;
+  void keep_stamp(const Digest& digest, const std::function<void()>& act);
+  bool begin_reading(const Digest& digest, const asio::any_io_executor& loop);
+  bool is_being_read(const Digest& digest) const;
+  void end_reading(const Digest& digest, std::uint64_t reading, FileReader::Verdict verdict);
   bool hold(const Digest& digest, const AccountPtr& account);
   void release(const Digest& digest, const AccountPtr& account);
   /// What has to go so that `size` bytes fit. Refused (LIMIT) when what is held leaves too little,
@@ -82,10 +112,13 @@ class AssetStore : public std::enable_shared_from_this<AssetStore> {
   std::filesystem::path folder_;
   std::uint64_t quota_ = 0;
   std::uint64_t bytes_ = 0;
-  std::uint64_t kept_ = 0;     // of them, what is held or on its way
-  std::uint64_t uploads_ = 0;  // so far; names their files
+  std::uint64_t kept_ = 0;      // of them, what is held or on its way
+  std::uint64_t uploads_ = 0;   // so far; names their files
+  std::uint64_t readings_ = 0;  // so far; numbers them
   std::map<Digest, Asset> assets_;
-  std::list<Digest> by_use_;  // the one unused for longest first
+  std::list<Digest> by_use_;                // the one unused for longest first
+  std::set<asio::steady_timer*> awaiting_;  // the end of a reading
+  FileReader reader_;
 };
 
 /// The assets that a job or a session needs: they stay in the store as long as this lives.
@@ -102,11 +135,13 @@ class AssetHolds {
   /// False when the store has no such asset, or a damaged one.
   bool add(const Digest& digest);
   void clear();
-  /// One of them that is damaged by now, if any.
+  /// One of them that is known to be damaged by now, or not there, if any.
   std::optional<Digest> damaged() const;
   /// "the server's file of NAME is damaged: PATH; send it again"
   std::string describe_damage(const Digest& digest, const std::string& name) const;
   std::size_t size() const { return held_.size(); }
+  const std::set<Digest>& digests() const { return held_; }
+  const std::shared_ptr<AssetStore>& store() const { return store_; }
   /// Of all of them.
   std::uint64_t bytes() const;
   /// Of one; 0 where it is not held.

@@ -97,12 +97,13 @@ tl::expected<void, Refusal> AssetUpload::commit() {
                   "the asset offered as " + to_hex(digest_) + " has the digest " + to_hex(sum));
   }
   // Somebody else may have sent the same one meanwhile; then this one is thrown away.
-  if (store_->has(digest_)) return {};
+  if (store_->is_unchanged(digest_)) return {};
   std::error_code error;
   fs::rename(temporary_, store_->file(digest_), error);
   if (error) return refuse(v1::Error::INTERNAL, "can't store an asset: " + error.message());
   // The bytes of one that was damaged are counted already.
-  if (store_->damaged(digest_)) return store_->mend(digest_), tl::expected<void, Refusal>();
+  if (store_->assets_.contains(digest_))
+    return store_->mend(digest_, size_), tl::expected<void, Refusal>();
   give_back();
   std::exchange(store_, nullptr)->insert(digest_, size_);
   return {};

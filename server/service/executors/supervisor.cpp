@@ -44,6 +44,7 @@ void Supervisor::stop() {
   overdue_.cancel();
   capabilities_signal_.cancel();
   if (worker_) std::exchange(worker_, nullptr)->abandon();
+  assets_.reset();
 }
 
 /// Its work may not stand still.
@@ -59,10 +60,7 @@ bool Supervisor::has_job() const {
 void Supervisor::start_worker() {
   ++starts_;
   ended_for_memory_ = group_.ended_for_memory();
-  auto worker =
-      WorkerProcess::spawn(executor_, options_.command,
-                           {[this](v1::WorkerEnvelope message) { on_message(std::move(message)); },
-                            [this](const std::string& reason) { on_exit(reason); }});
+  auto worker = spawn();
   state_ = State::starting;
   if (!worker && worker.error().shortage) {
     spdlog::warn("no {} worker starts yet: {}", options_.lane.name, worker.error().message);
@@ -162,6 +160,10 @@ void Supervisor::work() {
   // counts.
   job_->when_kept([this, start = ++starts_of_jobs_, message = std::move(message)]() mutable {
     if (start != starts_of_jobs_ || state_ != State::compiling) return;
+    if (const auto shown = show_assets(); !shown) {
+      job_->fail(v1::Failed::SERVER, shown.error().message);
+      return job_is_over();
+    }
     told_ = true;
     worker_->send(std::move(message));
   });
@@ -223,6 +225,7 @@ void Supervisor::job_is_over() {
   }
   job_.reset();
   worker_->release_film();
+  (void)show_assets();
   state_ = State::idle;
   limit_memory();
   watch();
@@ -240,7 +243,7 @@ void Supervisor::open(const View& view) {
 
 void Supervisor::tell(v1::WorkerEnvelope message) {
   const bool ready = state_ == State::idle || has_job();
-  if (ready) worker_->send(std::move(message));
+  if (ready && show_assets_of(message)) worker_->send(std::move(message));
 }
 
 // ---- What others ask

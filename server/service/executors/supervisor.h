@@ -7,6 +7,7 @@
 #include <string>
 
 #include "metamer/v1/session.pb.h"
+#include "server/service/assets/asset_folder.h"
 #include "server/service/executors/control_group.h"
 #include "server/service/executors/executor.h"
 #include "server/service/executors/lane.h"
@@ -73,6 +74,7 @@ class Supervisor final : public Executor, public ViewHost {
 
   // The worker's life.
   void start_worker();
+  tl::expected<std::shared_ptr<WorkerProcess>, WorkerProcess::SpawnError> spawn();
   void on_message(v1::WorkerEnvelope message);
   void on_exit(const std::string& reason);
   void start_again();
@@ -106,6 +108,8 @@ class Supervisor final : public Executor, public ViewHost {
   bool copy_tile(const Rect& rect);
   /// Ends the worker because of what it said or did.
   void distrust(const std::string& what);
+  Result<void> show_assets(std::uint64_t closed_view = 0);
+  bool show_assets_of(const v1::WorkerEnvelope& message);
   void job_is_over();
   bool take_job();
   void lose_job(const std::string& reason);
@@ -135,6 +139,7 @@ class Supervisor final : public Executor, public ViewHost {
   bool start_was_tried_ = false;
 
   State state_ = State::asleep;
+  std::unique_ptr<AssetFolder> assets_;  // what the worker sees
   std::shared_ptr<WorkerProcess> worker_;
   JobQueue::JobPtr job_;                                     // in compiling, rendering and stopping
   bool told_ = false;                                        // the worker, of job_

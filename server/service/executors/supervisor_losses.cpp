@@ -53,6 +53,7 @@ void Supervisor::on_exit(const std::string& reason) {
   const bool for_memory =
       worker_ && worker_->ran_out_of_memory(group_.ended_for_memory() > ended_for_memory_);
   worker_.reset();
+  assets_.reset();
   if (!obstacle_.empty()) return give_up();
   last_exit_ = reason;
   says_busy_ = false;

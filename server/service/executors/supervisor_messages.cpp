@@ -21,6 +21,10 @@ void Supervisor::on_message(v1::WorkerEnvelope message) {
       return on_heartbeat(message.heartbeat());
     case Body::kViewEvent:
       return on_view(std::move(*message.mutable_view_event()));
+    case Body::kAssetDamaged:
+      if (const auto digest = digest_from_bytes(message.asset_damaged().sha256()))
+        assets_->doubt(*digest);
+      return;
     case Body::kPlanned:
     case Body::kPreparing:
     case Body::kPrepared:
@@ -173,8 +177,10 @@ void Supervisor::on_prepared(const v1::Timing& timing) {
 void Supervisor::on_view(v1::ViewEvent event) {
   const ViewPtr view = views_.find(event.view_id());
   if (!view) return;
+  const bool changed_scene = view->changes_scene();
   auto order = view->take(std::move(event));
   if (!order) return distrust(order.error());
+  if (changed_scene || view->ended()) (void)show_assets();
   if (*order) tell(*std::move(*order));
 }
 

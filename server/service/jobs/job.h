@@ -48,6 +48,8 @@ class Job : public std::enable_shared_from_this<Job> {
   /// Whose it is, and its weight beside others; empty, and 1: nobody's in particular.
   std::string_view user() const { return owner_ ? std::string_view(owner_->name) : ""; }
   double share() const { return owner_ ? owner_->share : 1; }
+  /// None once it has ended.
+  const AssetHolds& assets() const { return assets_; }
   v1::JobState state() const { return state_; }
   bool ended() const { return is_end(state_); }
   double ended_at() const { return ended_at_; }  ///< Seconds since 1970.

@@ -40,6 +40,8 @@ asio::awaitable<Dispatch::Answer> Dispatch::dispatch(v1::Envelope& request) {
   if (greeted())
     if (auto may = permit(*identity_, request.body_case()); !may)
       co_return tl::unexpected(may.error());
+  std::vector<Digest> named = named_assets(request);
+  if (!named.empty()) co_await context_.store.look(std::move(named));
   switch (request.body_case()) {
     case Body::kHello:
       co_return hello(request.hello());

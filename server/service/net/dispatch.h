@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "metamer/v1/envelope.pb.h"
 #include "server/service/access/accounts.h"
@@ -77,6 +78,7 @@ class Dispatch {
   using Answer = tl::expected<std::optional<v1::Envelope>, Refusal>;
 
   asio::awaitable<Answer> dispatch(v1::Envelope& request);
+  std::vector<Digest> named_assets(const v1::Envelope& request) const;
   Answer hello(const v1::Hello& hello);
   Answer info();
   bool may_know(const Digest& digest) const;

@@ -20,6 +20,25 @@ bool Dispatch::may_know(const Digest& digest) const {
   return identity_->is_admin() || context_.known_assets.knows(identity_->user, digest);
 }
 
+/// What has to be in the store for a request, as far as this client may know of it: how long
+/// others' files take is theirs. What is no digest is refused by itself.
+std::vector<Digest> Dispatch::named_assets(const v1::Envelope& request) const {
+  std::vector<Digest> all;
+  const auto add = [&](const std::string& bytes) {
+    const auto digest = digest_from_bytes(bytes);
+    if (digest && may_know(*digest)) all.push_back(*digest);
+  };
+  const auto add_scene = [&](const auto& message) {
+    add(message.scene_sha256());
+    for (const v1::AssetName& asset : message.asset()) add(asset.sha256());
+  };
+  for (const std::string& bytes : request.offer_assets().sha256()) add(bytes);
+  if (request.has_submit()) add_scene(request.submit());
+  if (request.has_open_view()) add_scene(request.open_view());
+  if (request.has_update_view()) add_scene(request.update_view());
+  return all;
+}
+
 Dispatch::Answer Dispatch::offer(const v1::OfferAssets& offer) {
   v1::Envelope envelope;
   v1::MissingAssets& missing = *envelope.mutable_missing_assets();

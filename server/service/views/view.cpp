@@ -48,6 +48,12 @@ View::View(std::uint64_t id, v1::OpenView open, AssetHolds assets, std::function
       assets_(std::make_unique<AssetHolds>(std::move(assets))),
       wake_(std::move(wake)) {}
 
+std::vector<const AssetHolds*> View::assets() const {
+  std::vector<const AssetHolds*> all = {assets_.get()};
+  if (sent_assets_) all.push_back(sent_assets_.get());
+  return all;
+}
+
 v1::WorkerEnvelope View::opening() const {
   v1::WorkerEnvelope message;
   message.mutable_open_view()->set_view_id(id_);

@@ -28,6 +28,11 @@ class View {
   /// Nothing is to be said to it any more.
   bool ended() const { return ended_; }
 
+  /// Of what is shown, and of a scene that the worker has been told of.
+  std::vector<const AssetHolds*> assets() const;
+  /// The worker's next answer says which of these go.
+  bool changes_scene() const { return sent_assets_ != nullptr; }
+
   // What the worker is to be told; nothing: not yet.
   v1::WorkerEnvelope opening() const;
   v1::WorkerEnvelope closing() const;

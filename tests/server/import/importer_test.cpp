@@ -120,6 +120,17 @@ TEST_F(ImporterTest, SaysWhatIsWrongWithAFileAsReadingInPlaceDoes) {
   }
 }
 
+TEST_F(ImporterTest, ReadsNoBytesThatDoNotHaveTheirDigest) {
+  add("a.obj", triangle);
+  start();
+  ASSERT_TRUE(import("a.obj"));
+  std::fstream(store_ / to_hex(sha256(triangle)), std::ios::in | std::ios::out).seekp(2).put('1');
+  const auto meshes = import("a.obj");
+  ASSERT_FALSE(meshes);
+  EXPECT_TRUE(worker::is_damage(meshes.error())) << meshes.error().message;
+  EXPECT_EQ(meshes.error().file, "a.obj");
+}
+
 TEST_F(ImporterTest, WhatAFileDoesToItsReaderIsAnErrorOfThatImport) {
   add("a.obj", triangle);
   const std::string cant = "can't be read: ";

@@ -55,7 +55,11 @@ void Client::send(const v1::Envelope& message) {
   send_bytes(wire::encode_frame(message.SerializeAsString()));
 }
 
-std::optional<v1::Envelope> Client::receive() {
+std::optional<v1::Envelope> Client::receive() { return receive_within(patience); }
+
+std::optional<v1::Envelope> Client::receive_if_there() { return receive_within(0); }
+
+std::optional<v1::Envelope> Client::receive_within(int milliseconds) {
   while (true) {
     auto payload = decoder_.next();
     if (!payload) throw std::runtime_error(wire::describe(payload.error()));
@@ -65,7 +69,10 @@ std::optional<v1::Envelope> Client::receive() {
       return message;
     }
     pollfd waiting{fd_, POLLIN, 0};
-    if (::poll(&waiting, 1, patience) != 1) throw std::runtime_error("the server is silent");
+    if (::poll(&waiting, 1, milliseconds) != 1) {
+      if (milliseconds == 0) return std::nullopt;
+      throw std::runtime_error("the server is silent");
+    }
     std::array<char, 65536> piece;
     const ssize_t got = ::recv(fd_, piece.data(), piece.size(), 0);
     if (got <= 0) return std::nullopt;

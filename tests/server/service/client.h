@@ -25,6 +25,8 @@ class Client {
   void send(const v1::Envelope& message);
   /// The next message; nothing when the server has closed. Fails the test after 20 s.
   std::optional<v1::Envelope> receive();
+  /// The same, nothing also where none has come yet.
+  std::optional<v1::Envelope> receive_if_there();
   /// Sends under a new request id and gives the answer to it; events that come before are kept for
   /// receive_event().
   v1::Envelope ask(v1::Envelope message);
@@ -54,6 +56,8 @@ class Client {
   void ping();
 
  private:
+  std::optional<v1::Envelope> receive_within(int milliseconds);
+
   int fd_ = -1;
   wire::FrameDecoder decoder_;
   std::uint64_t last_request_ = 0;

@@ -2,6 +2,8 @@
 // a script, words apart by blanks, that says what it does with the job:
 //   picture W H T      plan a picture of W × H pixels in tiles of T (default 64 48 16)
 //   gate N             after N tiles wait for a byte in the FIFO `gate` beside the store
+//   reach HEX          enter the sandbox, and answer Failed with what is to be had of the assets
+//   slander            say that its scene is damaged
 //   crash N            abort after N tiles;   exit N: exit with code 3 after N tiles
 //   hang N             after N tiles neither render nor beat any more
 //   stall N            after N tiles beat on, and render no more
@@ -42,15 +44,21 @@
 #include <sstream>
 #include <string>
 #include <thread>
+#include <tuple>
 #include <vector>
 
+#include "common/digest.h"
 #include "common/wire/blocking.h"
 #include "common/wire/worker_exit.h"
+#include "server/sandbox/sandbox.h"
 
 namespace {
 
 using namespace metamer;
 namespace fs = std::filesystem;
+
+/// Of the store, from the folder in it that a worker sees.
+constexpr const char* beside = "../..";
 
 constexpr int link = 3;
 constexpr int film = 4;
@@ -76,6 +84,7 @@ struct Script {
   std::uint32_t width = 64;
   std::uint32_t height = 48;
   std::uint32_t tile = 16;
+  std::string reach;                        // an asset of somebody else's
   std::map<std::string, std::uint32_t> at;  // a trouble, and after how many tiles it comes
 
   bool has(const std::string& word) const { return at.contains(word); }
@@ -87,6 +96,8 @@ Script parse(const std::string& text) {
   for (std::string word; words >> word;) {
     if (word == "picture") {
       words >> script.width >> script.height >> script.tile;
+    } else if (word == "reach") {
+      words >> script.reach;
     } else if (word == "gate" || word == "prepared" || word == "preparing" || word == "crash" ||
                word == "exit" || word == "hang" || word == "stall" || word == "garbage" ||
                word == "swell" || word == "factors") {
@@ -123,7 +134,7 @@ class Job {
   Job(std::uint64_t id, Script script, fs::path store)
       : id_(id), script_(std::move(script)), store_(std::move(store)) {
     // A file remembers that there was an attempt before.
-    const fs::path mark = store_ / ("../attempted-" + std::to_string(id_));
+    const fs::path mark = store_ / beside / ("attempted-" + std::to_string(id_));
     first_attempt_ = !fs::exists(mark);
     std::ofstream(mark).put('x');
   }
@@ -134,7 +145,9 @@ class Job {
     message.set_job_id(id_);
     keep_factors_ = request.keep_factors();
     chosen_ = request.chosen();
-    if (script_.has("fail")) {
+    if (!script_.reach.empty()) {
+      message.mutable_failed()->set_reason(reached(hex(request.scene_sha256())));
+    } else if (script_.has("fail")) {
       message.mutable_failed()->set_kind(v1::Failed::BAD_INPUT);
       message.mutable_failed()->set_reason("the script says so");
       message.mutable_failed()->add_problem()->set_message("it fails");
@@ -189,6 +202,29 @@ class Job {
   }
 
  private:
+  /// What a worker can do that was taken over: the names of the attempts that succeed.
+  std::string reached(const std::string& own) const {
+    if (!sandbox::enter(store_).lacks.empty()) return "unconfined";
+    const fs::path theirs = script_.reach;
+    const std::tuple<const char*, fs::path, int> attempts[] = {
+        {"own", store_ / own, O_RDONLY},
+        {"other's", store_ / theirs, O_RDONLY},
+        {"other's in the store", store_ / ".." / theirs, O_RDONLY},
+        {"own in the store", store_ / ".." / own, O_RDONLY},
+        {"list", store_, O_RDONLY | O_DIRECTORY},
+        {"list the store", store_ / "..", O_RDONLY | O_DIRECTORY},
+        {"write", store_ / own, O_WRONLY},
+        {"empty", store_ / own, O_RDONLY | O_TRUNC},
+        {"make", store_ / theirs, O_WRONLY | O_CREAT},
+    };
+    std::string names;
+    for (const auto& [name, path, flags] : attempts)
+      if (::open(path.c_str(), flags | O_CLOEXEC, 0600) >= 0) names += std::string(name) + ";";
+    if (::link((store_ / ".." / theirs).c_str(), (store_ / theirs).c_str()) == 0) names += "link;";
+    if (::unlink((store_ / own).c_str()) == 0) names += "remove;";
+    return names;
+  }
+
   void say_preparing(v1::Preparing::Stage stage) const {
     v1::WorkerEnvelope message;
     message.set_job_id(id_);
@@ -270,7 +306,7 @@ class Job {
 
   /// The test holds the FIFO open and writes a byte when the worker may go on.
   void wait_for_gate() {
-    const int gate = ::open((store_ / "../gate").c_str(), O_RDONLY | O_CLOEXEC);
+    const int gate = ::open((store_ / beside / "gate").c_str(), O_RDONLY | O_CLOEXEC);
     while (!stopped_) {
       pollfd waiting[2] = {{gate, POLLIN, 0}, {link, POLLIN, 0}};
       ::poll(waiting, 2, -1);
@@ -347,9 +383,19 @@ std::string read_file(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+void say_damaged(std::uint64_t job, const std::string& digest) {
+  v1::WorkerEnvelope message;
+  message.mutable_asset_damaged()->set_sha256(digest);
+  send(message);
+  message.set_job_id(job);
+  message.mutable_failed()->set_kind(v1::Failed::SERVER);
+  message.mutable_failed()->set_reason("a worker read other bytes");
+  send(message);
+}
+
 int run(const fs::path& store) {
-  if (fs::exists(store / "../no-start")) return 3;
-  if (!fs::exists(store / "../never-ready")) {
+  if (fs::exists(store / beside / "no-start")) return 3;
+  if (!fs::exists(store / beside / "never-ready")) {
     v1::WorkerEnvelope ready;
     ready.mutable_ready()->mutable_capabilities()->add_backend("fake");
     ready.mutable_ready()->set_sandbox("none: a test");
@@ -362,7 +408,13 @@ int run(const fs::path& store) {
     if (!message || !*message) return 0;
     if ((*message)->has_compile_job()) {
       const std::string scene = (*message)->compile_job().scene_sha256();
-      job.emplace((*message)->job_id(), parse(read_file(store / hex(scene))), store);
+      const std::string text = read_file(store / hex(scene));
+      const Script script = parse(text);
+      if (script.has("slander") || to_bytes(sha256(text)) != scene) {
+        say_damaged((*message)->job_id(), scene);
+        continue;
+      }
+      job.emplace((*message)->job_id(), script, store);
       job->plan((*message)->compile_job());
     } else if ((*message)->has_render_tiles() && job) {
       job->render((*message)->render_tiles());
@@ -379,7 +431,7 @@ int main(int count, char** arguments) {
   });
   for (int i = 1; i + 1 < count; ++i) {
     if (std::strcmp(arguments[i], "--store") != 0) continue;
-    if (gl) std::ofstream(std::string(arguments[i + 1]) + "/../started-gl").put('x');
+    if (gl) std::ofstream(fs::path(arguments[i + 1]) / beside / "started-gl").put('x');
     return run(arguments[i + 1]);
   }
   return 2;

@@ -237,10 +237,54 @@ TEST_F(WorkerJob, TellsASceneFromOtherBytes) {
   v1::CompileJob message;
   message.set_scene_sha256(store("no scene\xff"));
   job_.compile(message);
-  message.set_scene_sha256("not in the store");
-  Job(6, options_, link_, work_, turns_).compile(message);
-  for (const v1::WorkerEnvelope& answer : sent())
-    EXPECT_EQ(answer.failed().reason(), "the scene's bytes are no scene");
+  const auto messages = sent();
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_EQ(messages[0].failed().kind(), v1::Failed::BAD_INPUT);
+  EXPECT_EQ(messages[0].failed().reason(), "the scene's bytes are no scene");
+  EXPECT_TRUE(damaged_.empty());
+}
+
+TEST_F(WorkerJob, NeverTakesBytesThatDoNotHaveTheirDigest) {
+  const std::string mesh_bytes =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const std::string lamp_bytes = "400 1\n700 1\n";
+  const std::string mesh = store(mesh_bytes), lamp = store(lamp_bytes);
+  v1::CompileJob message = compile_message(
+      ball_scene(settings,
+                 "object { material: 'paint' mesh { file: 'a.ply' } } light { name: 'other' "
+                 "position { y: 2 } spectrum { file: 'lamp.csv' } }"));
+  for (const auto& [name, digest] : {std::pair("a.ply", mesh), std::pair("lamp.csv", lamp)}) {
+    v1::AssetName& asset = *message.add_asset();
+    asset.set_name(name);
+    asset.set_sha256(digest);
+  }
+  const auto failed = [&] {
+    Job(6, options_, link_, work_, turns_).compile(message);
+    return sent().back().failed();
+  };
+  EXPECT_EQ(failed().reason(), "") << "all is as it should be";
+  for (const auto& [digest, name, field] :
+       {std::tuple<std::string, std::string, std::string>{mesh, "a.ply", "object[1].mesh.file"},
+        {lamp, "lamp.csv", "light[1].spectrum.file"},
+        {message.scene_sha256(), "the scene", ""}}) {
+    damaged_.clear();
+    spoil(digest);
+    const v1::Failed failure = failed();
+    EXPECT_EQ(failure.kind(), v1::Failed::SERVER) << name;
+    EXPECT_EQ(failure.reason(), "the server's file of " + name + " is damaged; send it again");
+    ASSERT_FALSE(damaged_.empty());
+    EXPECT_EQ(damaged_.back(), digest) << name;
+    std::filesystem::remove(options_.store / to_hex(*digest_from_bytes(digest)));
+    EXPECT_EQ(failed().kind(), v1::Failed::SERVER) << name << " is not there";
+    if (field.empty()) continue;
+    ASSERT_GT(failure.problem_size(), 0);
+    EXPECT_EQ(failure.problem(0).field(), field);
+    EXPECT_EQ(failure.problem(0).message(), "the server's file is damaged; send it again");
+    store(name == "a.ply" ? mesh_bytes : lamp_bytes);
+    EXPECT_EQ(failed().reason(), "") << name << " has come anew";
+  }
 }
 
 TEST_F(WorkerJob, RefusesTilesOutsideItsPlan) {

@@ -209,7 +209,7 @@ TEST_F(WorkerViewScene, AnotherSceneThatIsBadChangesNothing) {
   change.set_scene_sha256(store("no scene"));
   EXPECT_EQ(refused(change), ": the scene's bytes are no scene");
   change.set_scene_sha256(std::string(32, 'x'));
-  EXPECT_EQ(refused(change), ": the scene's bytes are no scene");
+  EXPECT_EQ(refused(change), ": the server's file is damaged; send it again");
   EXPECT_EQ(refused(replacement(ball_scene("width: 100000 height: 100000"))).rfind("settings.", 0),
             0u);
   EXPECT_NE(refused(replacement(ball_scene("", "object { name: 'ball' }"))), "none");

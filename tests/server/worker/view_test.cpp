@@ -128,6 +128,28 @@ TEST_F(WorkerView, ClosesWhereTheSceneIsBad) {
   EXPECT_GT(reason.problem_size(), 0);
 }
 
+TEST_F(WorkerView, SaysWhichFileOfTheServersIsDamaged) {
+  const std::string scene = store_scene(ball_scene(small));
+  ASSERT_TRUE(open(ball_scene(small)));
+  sent();
+  const std::string other = store_scene(ball_scene("width: 4 height: 4"));
+  spoil(other);
+  v1::UpdateView update;
+  update.set_scene_sha256(other);
+  view_.update(update);
+  ASSERT_TRUE(view_.turn());
+  EXPECT_EQ(sent_names(), (Names{"view_event.refused"})) << "it goes on with what it has";
+  EXPECT_EQ(damaged_, Names{other});
+
+  spoil(scene);
+  v1::OpenView message;
+  message.set_scene_sha256(scene);
+  EXPECT_FALSE(View(4, options_, link_, work_, [] {}).open(message));
+  const v1::Failed reason = sent().back().view_event().closed().reason();
+  EXPECT_EQ(reason.kind(), v1::Failed::SERVER);
+  EXPECT_EQ(reason.reason(), "the server's file of the scene is damaged; send it again");
+}
+
 TEST_F(WorkerView, ClosesWhereTheRendererFails) {
   ASSERT_TRUE(open(ball_scene(small)));
   view_.add_credit();

@@ -41,6 +41,7 @@ WorkerTest::WorkerTest() : link_(worker_end(ends_)) {
               .film_descriptor = memfd_create("film", 0)};
   importer_ = import::Importer::start(options_.store);
   options_.importer = importer_.get();
+  options_.tell_damage = [this](const std::string& digest) { damaged_.push_back(digest); };
   EXPECT_EQ(ftruncate(options_.film_descriptor, 64 * 64 * 12), 0);
 }
 
@@ -53,6 +54,11 @@ std::string WorkerTest::store(const std::string& bytes) const {
   const Digest digest = sha256(bytes);
   std::ofstream(options_.store / to_hex(digest), std::ios::binary) << bytes;
   return std::string(to_bytes(digest));
+}
+
+void WorkerTest::spoil(const std::string& digest) const {
+  std::fstream(options_.store / to_hex(*digest_from_bytes(digest)), std::ios::in | std::ios::out)
+      .put('!');
 }
 
 std::string WorkerTest::store_scene(const std::string& text) const {

@@ -19,12 +19,15 @@ class WorkerTest : public ::testing::Test {
   /// Into the store: its digest, as messages have it.
   std::string store(const std::string& bytes) const;
   std::string store_scene(const std::string& text) const;
+  /// Puts other bytes, of the same number, in the place of what was stored.
+  void spoil(const std::string& digest) const;
   /// All that the worker has sent since the last call, but for its stages. It must not be more than
   /// a socket holds.
   std::vector<v1::WorkerEnvelope> sent();
   /// The same, in short: "planned", "tile_done", "view_event.band".
   std::vector<std::string> sent_names();
 
+  std::vector<std::string> damaged_;        ///< Digests of which the daemon was told.
   std::vector<v1::WorkerEnvelope> stages_;  ///< All that sent() has met: Preparing, Prepared.
 
   FakeBackend backend_;

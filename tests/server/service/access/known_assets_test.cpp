@@ -86,9 +86,8 @@ class AssetsOfUsers : public testing::Test {
   }
   std::size_t files() const {
     std::size_t count = 0;
-    for ([[maybe_unused]] const auto& file :
-         std::filesystem::directory_iterator(state_.path() / "assets"))
-      ++count;
+    for (const auto& file : std::filesystem::directory_iterator(state_.path() / "assets"))
+      count += file.is_regular_file();
     return count;
   }
 };

@@ -2,14 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/asio.hpp>
 #include <fstream>
 
 #include "common/scene/limits.h"
+#include "server/service/assets/asset_folder.h"
 #include "server/service/ops/folders.h"
 
 namespace metamer::service {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 class AssetStoreTest : public testing::Test {
  protected:
@@ -28,6 +32,15 @@ class AssetStoreTest : public testing::Test {
     if (auto added = upload->add(0, bytes); !added) return added;
     return upload->commit();
   }
+
+  /// What a request does that names it.
+  bool has_after_a_look(const std::string& bytes) const {
+    asio::io_context context;
+    asio::co_spawn(context, store_->look({sha256(bytes)}), asio::detached);
+    context.run();
+    return store_->has(sha256(bytes));
+  }
+  fs::path file(const std::string& bytes) const { return store_->file(sha256(bytes)); }
 
   TemporaryFolder folder_ = TemporaryFolder::make().value();
   std::shared_ptr<AssetStore> store_;
@@ -184,17 +197,97 @@ TEST_F(AssetStoreTest, TheSameAssetTwiceAtATimeIsStoredOnce) {
 
 TEST_F(AssetStoreTest, AReopenedStoreHasItsAssetsButNoneThatIsDamaged) {
   open(1000);
-  ASSERT_TRUE(put("good"));
-  ASSERT_TRUE(put("bad"));
+  for (const char* const bytes : {"good", "bad", "short"}) ASSERT_TRUE(put(bytes));
   store_.reset();
   std::ofstream(folder() / to_hex(sha256("bad"))) << "bat";
+  std::ofstream(folder() / to_hex(sha256("short"))) << "sh";
   std::ofstream(folder() / "upload-7") << "half an upl";
   std::ofstream(folder() / "notes.txt") << "not ours";
   open(1000);
-  EXPECT_TRUE(store_->has(sha256("good")));
-  EXPECT_FALSE(store_->has(sha256("bad")));
-  EXPECT_EQ(store_->bytes(), 4u);
-  EXPECT_EQ(files(), 2u);  // "good" and the file that is none of ours
+  EXPECT_TRUE(has_after_a_look("good"));
+  EXPECT_FALSE(has_after_a_look("bad"));
+  EXPECT_FALSE(has_after_a_look("short"));
+  EXPECT_EQ(files(), 4u);  // three assets, and the file that is none of ours
+
+  // They are counted as they are once they have come anew.
+  EXPECT_EQ(store_->bytes(), 9u);
+  for (const char* const bytes : {"bad", "short"}) ASSERT_TRUE(put(bytes));
+  for (const char* const bytes : {"good", "bad", "short"}) EXPECT_TRUE(has_after_a_look(bytes));
+  EXPECT_EQ(store_->bytes(), 12u);
+}
+
+TEST_F(AssetStoreTest, OneThatWasShorterAtTheStartIsItsHoldersAsItIs) {
+  open(1000);
+  ASSERT_TRUE(put("short"));
+  store_.reset();
+  std::ofstream(folder() / to_hex(sha256("short"))) << "sh";
+  open(1000);
+  const auto account = std::make_shared<Account>(Account{.name = "uid 1000"});
+  {
+    AssetHolds holds(*store_, account);
+    ASSERT_TRUE(holds.add(sha256("short"))) << "nobody has looked yet";
+    EXPECT_TRUE(has_after_a_look("short") == false && holds.damaged());
+    ASSERT_TRUE(put("short"));
+    EXPECT_FALSE(holds.damaged());
+    EXPECT_EQ(account->asset_bytes, 5u);
+  }
+  EXPECT_EQ(account->asset_bytes, 0u);
+  EXPECT_TRUE(put(text('a', 1000))) << "nothing is kept";
+}
+
+TEST_F(AssetStoreTest, NobodyWaitsForAStoreThatIsStopped) {
+  open(1000);
+  ASSERT_TRUE(put("bytes"));
+  store_.reset();
+  open(1000);
+  store_->stop();
+  EXPECT_TRUE(has_after_a_look("bytes")) << "the worker judges";
+}
+
+TEST_F(AssetStoreTest, LinksAreNoChangeOfAFileButHideNone) {
+  open(1000);
+  for (const char* const bytes : {"same", "else"}) ASSERT_TRUE(put(bytes));
+  AssetHolds holds(*store_);
+  const auto folder = AssetFolder::make(this->folder()).value();
+  for (const char* const bytes : {"same", "else"}) ASSERT_TRUE(holds.add(sha256(bytes)));
+  std::fstream(file("else"), std::ios::in | std::ios::out).put('E');
+  ASSERT_TRUE(folder->show({&holds}));
+  ASSERT_TRUE(folder->show({}));
+  EXPECT_TRUE(has_after_a_look("same"));
+  EXPECT_EQ(store_->readings(), 0u);
+  EXPECT_FALSE(has_after_a_look("else"));
+  EXPECT_EQ(store_->readings(), 1u);
+}
+
+TEST_F(AssetStoreTest, AFileThatAWorkerDoubtsIsReadOnce) {
+  open(1000);
+  for (const char* const bytes : {"seen", "other"}) ASSERT_TRUE(put(bytes));
+  AssetHolds holds(*store_);
+  ASSERT_TRUE(holds.add(sha256("seen")));
+  const auto worker = AssetFolder::make(folder()).value();
+  ASSERT_TRUE(worker->show({&holds}));
+  worker->doubt(sha256("other"));
+  EXPECT_TRUE(has_after_a_look("other"));
+  EXPECT_EQ(store_->readings(), 0u) << "it can't know that one";
+  worker->doubt(sha256("seen"));
+  EXPECT_TRUE(has_after_a_look("seen"));
+  EXPECT_TRUE(has_after_a_look("seen"));
+  EXPECT_EQ(store_->readings(), 1u);
+}
+
+TEST_F(AssetStoreTest, AWorkerIsGivenTheFileThatCameAnew) {
+  open(1000);
+  ASSERT_TRUE(put("bytes"));
+  AssetHolds holds(*store_);
+  ASSERT_TRUE(holds.add(sha256("bytes")));
+  const auto worker = AssetFolder::make(folder()).value();
+  ASSERT_TRUE(worker->show({&holds}));
+  std::fstream(file("bytes"), std::ios::in | std::ios::out).put('B');
+  EXPECT_FALSE(has_after_a_look("bytes"));
+  ASSERT_TRUE(put("bytes"));
+  ASSERT_TRUE(worker->show({&holds}));
+  std::ifstream seen(worker->path() / to_hex(sha256("bytes")));
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(seen), {}), "bytes");
 }
 
 TEST_F(AssetStoreTest, AFolderThatCannotBeMadeIsAnError) {

@@ -28,11 +28,13 @@ void remove(const fs::path& file) { fs::remove(file); }
 struct Damage {
   const char* name;
   void (*spoil)(const fs::path&);
+  bool is_seen = false;  ///< Without reading: by its size.
 };
 
 void PrintTo(const Damage& damage, std::ostream* stream) { *stream << damage.name; }
 
-class DamagedAsset : public testing::TestWithParam<Damage> {
+template <class Test>
+class DamagedAssetTest : public Test {
  protected:
   Daemon daemon_;
   Client client_{daemon_.socket()};
@@ -53,6 +55,8 @@ class DamagedAsset : public testing::TestWithParam<Damage> {
     client_.upload({script});
   }
 };
+using DamagedAsset = DamagedAssetTest<testing::TestWithParam<Damage>>;
+using DamagedAssetAlone = DamagedAssetTest<testing::Test>;
 
 }  // namespace
 
@@ -90,13 +94,26 @@ TEST_P(DamagedAsset, FailsTheJobThatWaitedMeanwhile) {
   while (event.job_id() != job || !(event.has_failed() || event.has_finished()));
   ASSERT_TRUE(event.has_failed()) << event.ShortDebugString();
   EXPECT_EQ(event.failed().kind(), v1::Failed::SERVER);
-  EXPECT_EQ(event.failed().reason(),
-            "the server's file of the scene is damaged: " + file().string() + "; send it again");
+  if (GetParam().is_seen)
+    EXPECT_EQ(event.failed().reason(),
+              "the server's file of the scene is damaged: " + file().string() + "; send it again");
+  else
+    EXPECT_EQ(event.failed().reason(), "a worker read other bytes");
+  EXPECT_EQ(offer().missing_assets().sha256_size(), 1);
+}
+
+TEST_F(DamagedAssetAlone, IsNotWhatAWorkerAloneSays) {
+  client_.watch(client_.submit("slander"));
+  EXPECT_TRUE(
+      client_.receive_event_until([](auto& event) { return event.has_failed(); }).has_failed());
+  v1::Envelope offer;
+  offer.mutable_offer_assets()->add_sha256(std::string(to_bytes(sha256("slander"))));
+  EXPECT_EQ(client_.ask(offer).missing_assets().sha256_size(), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(That, DamagedAsset,
                          testing::Values(Damage{"was_changed", flip_a_byte},
-                                         Damage{"was_removed", remove}),
+                                         Damage{"was_removed", remove, true}),
                          [](const auto& damage) { return damage.param.name; });
 
 }  // namespace metamer::service::test
