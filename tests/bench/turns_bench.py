@@ -56,7 +56,9 @@ def longest_turn(server, job):
 def main():
     folder = tempfile.mkdtemp(prefix="metamer-turns-")
     unix, tcp = f"unix:{folder}/socket", f"127.0.0.1:{free_port()}"
-    words = ["--listen", unix, "--listen", tcp, "--unconfined", "--log-level", "off", "--turn", TURN]
+    # What jobs took is summed in the end, so that all of them have to stay listed.
+    words = ["--listen", unix, "--listen", tcp, "--unconfined", "--log-level", "off", "--turn", TURN,
+             "--ended-jobs", "100000"]
     if "--open" in subprocess.run([os.path.join(BIN, "metamerd"), "--help"], check=True, stdout=subprocess.PIPE,
                                   text=True).stdout:
         words.append("--open")
