@@ -16,8 +16,8 @@ struct Account {
   double share = 1;               ///< Its weight where several wait.
   /// What it may have; unset: what the server gives anybody.
   std::optional<std::int64_t> max_jobs = {}, max_bytes = {}, max_sessions = {};
-  std::optional<double> max_work =
-      {};              ///< Seconds of workers within a day; 0: as many as it wants.
+  /// The same: seconds of workers within a day; 0: as many as it wants.
+  std::optional<double> max_work = {};
   bool admin = false;  ///< Then there is no limit of its work.
 };
 using AccountPtr = std::shared_ptr<Account>;

@@ -28,7 +28,7 @@ class MemoryLimit {
   /// already stays: beyond the limit it gets no more.
   void allow(std::uint64_t bytes);
 
-  /// For people: "limited by the system", or "not limited" and why.
+  /// For people: "limited for each job", or "not limited: " and why.
   std::string describe() const;
 
  private:
