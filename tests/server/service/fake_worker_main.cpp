@@ -1,30 +1,8 @@
-// A worker for tests: speaks the worker's protocol without a renderer. The scene asset's bytes are
-// a script, words apart by blanks, that says what it does with the job:
-//   picture W H T      plan a picture of W × H pixels in tiles of T (default 64 48 16)
-//   gate N             after N tiles wait for a byte in the FIFO `gate` beside the store
-//   reach HEX          enter the sandbox, and answer Failed with what is to be had of the assets
-//   slander            say that its scene is damaged
-//   crash N            abort after N tiles;   exit N: exit with code 3 after N tiles
-//   hang N             after N tiles neither render nor beat any more
-//   stall N            after N tiles beat on, and render no more
-//   swell N            after N tiles ask for memory until there is none, or 64 GiB are
-//   deaf               do not answer StopJob
-//   garbage N          after N tiles send bytes that are no frame
-//   stray              send a tile that is none of the job's
-//   early              say JobDone before the last tile
-//   shrink             truncate the shared memory before the first TileDone
-//   stages             say what is being prepared, and when it is there
-//   prepared N         after N tiles say that all is prepared;   preparing N: that more is
-//   fail               answer Failed BAD_INPUT
-//   broken             say that the promise is broken and that `exact` is better, which is the
-//   plan's
-//                      method once it is asked for
-//   verify             plan a check of the picture; the promise is kept if the memory holds all of
-//   it factors N          send N bytes of factors for the scene, and N for each tile once the
-//   trouble above comes in the first attempt only
-// A pixel of the picture is (x, y, 1). A file beside the store can spoil the start: `no-start`
-// makes it exit with code 3, `never-ready` keeps it from saying that it is ready. One for GL leaves
-// the file `started-gl` there.
+// A worker for tests: speaks the worker's protocol without a renderer. The scene asset's bytes say
+// what it does with the job: see fake_worker_script.h. A pixel of the picture is (x, y, 1).
+//
+// A file beside the store can spoil the start: `no-start` makes it exit with code 3, `never-ready`
+// keeps it from saying that it is ready. One for GL leaves the file `started-gl` there.
 
 #include <fcntl.h>
 #include <poll.h>
@@ -38,23 +16,22 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <mutex>
 #include <new>
-#include <sstream>
+#include <optional>
 #include <string>
 #include <thread>
-#include <tuple>
-#include <vector>
 
 #include "common/digest.h"
 #include "common/wire/blocking.h"
 #include "common/wire/worker_exit.h"
-#include "server/sandbox/sandbox.h"
+#include "fake_worker_deeds.h"
+#include "fake_worker_script.h"
 
 namespace {
 
 using namespace metamer;
+using namespace metamer::service::test;
 namespace fs = std::filesystem;
 
 /// Of the store, from the folder in it that a worker sees.
@@ -78,35 +55,6 @@ std::string hex(const std::string& bytes) {
     text += "0123456789abcdef"[byte % 16];
   }
   return text;
-}
-
-struct Script {
-  std::uint32_t width = 64;
-  std::uint32_t height = 48;
-  std::uint32_t tile = 16;
-  std::string reach;                        // an asset of somebody else's
-  std::map<std::string, std::uint32_t> at;  // a trouble, and after how many tiles it comes
-
-  bool has(const std::string& word) const { return at.contains(word); }
-};
-
-Script parse(const std::string& text) {
-  Script script;
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
-    if (word == "picture") {
-      words >> script.width >> script.height >> script.tile;
-    } else if (word == "reach") {
-      words >> script.reach;
-    } else if (word == "gate" || word == "prepared" || word == "preparing" || word == "crash" ||
-               word == "exit" || word == "hang" || word == "stall" || word == "garbage" ||
-               word == "swell" || word == "factors") {
-      words >> script.at[word];
-    } else {
-      script.at[word] = 0;
-    }
-  }
-  return script;
 }
 
 /// Beats four times a second until the process ends; `beating` is false when it shall not.
@@ -146,7 +94,8 @@ class Job {
     keep_factors_ = request.keep_factors();
     chosen_ = request.chosen();
     if (!script_.reach.empty()) {
-      message.mutable_failed()->set_reason(reached(hex(request.scene_sha256())));
+      message.mutable_failed()->set_reason(
+          reached(store_, hex(request.scene_sha256()), script_.reach));
     } else if (script_.has("fail")) {
       message.mutable_failed()->set_kind(v1::Failed::BAD_INPUT);
       message.mutable_failed()->set_reason("the script says so");
@@ -202,29 +151,6 @@ class Job {
   }
 
  private:
-  /// What a worker can do that was taken over: the names of the attempts that succeed.
-  std::string reached(const std::string& own) const {
-    if (!sandbox::enter(store_).lacks.empty()) return "unconfined";
-    const fs::path theirs = script_.reach;
-    const std::tuple<const char*, fs::path, int> attempts[] = {
-        {"own", store_ / own, O_RDONLY},
-        {"other's", store_ / theirs, O_RDONLY},
-        {"other's in the store", store_ / ".." / theirs, O_RDONLY},
-        {"own in the store", store_ / ".." / own, O_RDONLY},
-        {"list", store_, O_RDONLY | O_DIRECTORY},
-        {"list the store", store_ / "..", O_RDONLY | O_DIRECTORY},
-        {"write", store_ / own, O_WRONLY},
-        {"empty", store_ / own, O_RDONLY | O_TRUNC},
-        {"make", store_ / theirs, O_WRONLY | O_CREAT},
-    };
-    std::string names;
-    for (const auto& [name, path, flags] : attempts)
-      if (::open(path.c_str(), flags | O_CLOEXEC, 0600) >= 0) names += std::string(name) + ";";
-    if (::link((store_ / ".." / theirs).c_str(), (store_ / theirs).c_str()) == 0) names += "link;";
-    if (::unlink((store_ / own).c_str()) == 0) names += "remove;";
-    return names;
-  }
-
   void say_preparing(v1::Preparing::Stage stage) const {
     v1::WorkerEnvelope message;
     message.set_job_id(id_);
@@ -282,15 +208,6 @@ class Job {
       tile.set_height(script_.tile);
       tile_done(tile);
     }
-  }
-
-  /// Asks and does not touch: what is limited is what is asked for.
-  static void swell() {
-    constexpr std::size_t piece = 64u << 20;
-    for (int pieces = 0; pieces < 1024; ++pieces)
-      if (::mmap(nullptr, piece, PROT_READ | PROT_WRITE,
-                 MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0) == MAP_FAILED)
-        _exit(wire::exit_out_of_memory);
   }
 
   /// True when a StopJob has come that the script does not ignore.

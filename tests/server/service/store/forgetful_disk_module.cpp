@@ -1,10 +1,11 @@
 // A disk that has what was synced and nothing else, for a program that is started with this as
 // LD_PRELOAD:
 //
-//     METAMER_DISK         the folder that it is about
-//     METAMER_DISK_SHADOW  where it notes what would be there after a power cut (forgetful_disk.h
-//     reads it) METAMER_DISK_CUT     at which fsync the power is cut, before that has had an
-//     effect; 0: never
+//     METAMER_DISK          the folder that it is about
+//     METAMER_DISK_SHADOW   where it notes what a power cut would leave (read by forgetful_disk.h)
+//     METAMER_DISK_CUT      at which fsync the power is cut, before that has an effect; 0: never
+//     METAMER_DISK_FULL     a file: while it is there, there is no room (ENOSPC)
+//     METAMER_DISK_BROKEN   a file: while it is there, nothing can be synced (EIO)
 //
 // It is stricter than most file systems: a name is there only once its folder was synced. A file is
 // told from a later one of the same inode number by the time of its birth.
