@@ -2,11 +2,24 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "common/problem.h"
 
 namespace metamer {
+
+/// Where a picture is: a file on disk, or the bytes of one, which stay where they are meanwhile.
+struct PictureSource {
+  PictureSource(std::filesystem::path file) : name(std::move(file)) {}
+  PictureSource(std::string_view of, std::filesystem::path called)
+      : name(std::move(called)), bytes(of) {}
+
+  std::filesystem::path name;  ///< Of the file; of bytes for messages alone.
+  std::optional<std::string_view> bytes;
+};
 
 /// "png" or "exr" by the extension, in any case; empty for another.
 std::string format_of(const std::filesystem::path& file);

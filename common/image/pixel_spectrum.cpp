@@ -56,7 +56,7 @@ const ExrLayer* find_spectra(const std::vector<ExrLayer>& layers) {
 
 bool is_picture_of_spectra(const std::string& file) { return format_of(file) == "exr"; }
 
-Result<SpectrumFile> read_pixel_spectrum(const ExrSource& source,
+Result<SpectrumFile> read_pixel_spectrum(const PictureSource& source,
                                          const std::optional<std::string>& entry) {
   const auto where = entry ? rectangle_of(*entry) : std::nullopt;
   if (!where)

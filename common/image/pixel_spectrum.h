@@ -19,7 +19,7 @@ bool is_picture_of_spectra(const std::string& file);
 /// "10x20-30x40", both corners in it; it has the entry's name. Of the picture no more is read than
 /// that. Errors name the file: those of read_spectral_layer, a picture without spectra, no entry or
 /// one that lies outside.
-Result<SpectrumFile> read_pixel_spectrum(const ExrSource& source,
+Result<SpectrumFile> read_pixel_spectrum(const PictureSource& source,
                                          const std::optional<std::string>& entry);
 
 }  // namespace metamer

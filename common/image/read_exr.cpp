@@ -73,7 +73,7 @@ class ByteStream : public Imf::IStream {
   std::uint64_t at_ = 0;
 };
 
-Result<void> check_header(const ExrSource& source) {
+Result<void> check_header(const PictureSource& source) {
   if (source.bytes) {
     boost::interprocess::ibufferstream in(source.bytes->data(), source.bytes->size());
     return check_exr_header(in, source.name);
@@ -84,7 +84,7 @@ Result<void> check_header(const ExrSource& source) {
 
 /// Opens the file and lets `read` take it from there; what OpenEXR throws becomes a value.
 template <class Read>
-auto with_exr(const ExrSource& source, const Read& read)
+auto with_exr(const PictureSource& source, const Read& read)
     -> decltype(read(std::declval<Imf::MultiPartInputFile&>())) {
   if (auto good = check_header(source); !good) return tl::unexpected<Problem>(good.error());
   try {
@@ -163,7 +163,7 @@ Image read_pixels(Imf::MultiPartInputFile& file, int number, const PixelWindow& 
 
 }  // namespace
 
-Result<std::vector<ExrPart>> read_exr_parts(const ExrSource& source) {
+Result<std::vector<ExrPart>> read_exr_parts(const PictureSource& source) {
   return with_exr(source, [](const Imf::MultiPartInputFile& input) -> Result<std::vector<ExrPart>> {
     std::vector<ExrPart> parts;
     for (int i = 0; i < input.parts(); ++i) parts.push_back(to_part(input.header(i)));
@@ -171,7 +171,7 @@ Result<std::vector<ExrPart>> read_exr_parts(const ExrSource& source) {
   });
 }
 
-Result<Image> read_exr(const ExrSource& source, const std::vector<ExrPart>& parts, std::size_t part,
+Result<Image> read_exr(const PictureSource& source, const std::vector<ExrPart>& parts, std::size_t part,
                        const std::vector<std::string>& channels,
                        const std::optional<PixelWindow>& only) {
   const PixelWindow& display = parts[part].display;

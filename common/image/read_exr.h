@@ -1,25 +1,14 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "common/image/image.h"
+#include "common/image/picture_file.h"
 
 /// EXR files of any kind but deep ones are read, by OpenEXR; in the calling thread alone.
 namespace metamer {
-
-/// Where an EXR is: a file on disk, or the bytes of one, which stay where they are meanwhile.
-struct ExrSource {
-  ExrSource(std::filesystem::path file) : name(std::move(file)) {}
-  ExrSource(std::string_view of, std::filesystem::path called)
-      : name(std::move(called)), bytes(of) {}
-
-  std::filesystem::path name;  ///< Of the file; of bytes for messages alone.
-  std::optional<std::string_view> bytes;
-};
 
 /// A rectangle of pixels; (x1, y1) belongs to it.
 struct PixelWindow {
@@ -54,14 +43,14 @@ struct ExrPart {
 };
 
 /// The parts of an .exr that is there, in the file's order; at least one.
-Result<std::vector<ExrPart>> read_exr_parts(const ExrSource& source);
+Result<std::vector<ExrPart>> read_exr_parts(const PictureSource& source);
 
 /// Channels of part number `part`, in the order of `channels`, over its display window, or over
 /// `only` of it, counted from its upper left; 0 outside of its data window. Half and uint become
 /// f32. Errors name the file: a deep part, a channel with fewer samples than there are pixels,
 /// windows with no pixel in common or more than max_image_values values, a file that is damaged or
 /// has changed since `parts` were read.
-Result<Image> read_exr(const ExrSource& source, const std::vector<ExrPart>& parts, std::size_t part,
+Result<Image> read_exr(const PictureSource& source, const std::vector<ExrPart>& parts, std::size_t part,
                        const std::vector<std::string>& channels,
                        const std::optional<PixelWindow>& only = {});
 

@@ -135,9 +135,10 @@ void to_floats(const Bytes& bytes, int bits, std::vector<float>& values) {
 
 /// Whether so many bytes of rows can be in a file: deflate makes at most 1032 of one (zlib's
 /// technical notes). What is cut short asks for no more memory than its size allows.
-bool can_hold(const std::filesystem::path& file, std::size_t bytes) {
+bool can_hold(const PictureSource& source, std::size_t bytes) {
   std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  const std::uintmax_t size =
+      source.bytes ? source.bytes->size() : std::filesystem::file_size(source.name, error);
   return error || bytes / 1032 <= size;
 }
 
@@ -145,11 +146,19 @@ tl::unexpected<Problem> unreadable(const std::filesystem::path& file, const std:
   return file_problem(file, "can't read the picture: " + first_line(why));
 }
 
+using OpenFile = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+OpenFile open_source(const PictureSource& source) {
+  if (!source.bytes) return {std::fopen(source.name.c_str(), "rb"), std::fclose};
+  // Opened for reading, nothing is ever written there.
+  return {fmemopen(const_cast<char*>(source.bytes->data()), source.bytes->size(), "rb"),
+          std::fclose};
+}
+
 }  // namespace
 
-Result<PngPicture> read_png(const std::filesystem::path& file) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> open(std::fopen(file.c_str(), "rb"),
-                                                             std::fclose);
+Result<PngPicture> read_png(const PictureSource& source) {
+  const std::filesystem::path& file = source.name;
+  const OpenFile open = open_source(source);
   if (!open) return unreadable(file, std::strerror(errno));
   Reader reader(open.get());
   std::size_t stored_row = 0;
@@ -166,7 +175,7 @@ Result<PngPicture> read_png(const std::filesystem::path& file) {
   read_color(reader, picture);
 
   const std::size_t row = png_get_rowbytes(reader.png, reader.info);
-  if (!can_hold(file, stored_row * static_cast<std::size_t>(height)))
+  if (!can_hold(source, stored_row * static_cast<std::size_t>(height)))
     return unreadable(file, "it is cut short, or its size is wrong: " + std::to_string(width) +
                                 " × " + std::to_string(height) + " pixels can't be in it");
   Bytes bytes(row * static_cast<std::size_t>(height));

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
 
 #include "common/image/image.h"
+#include "common/image/picture_file.h"
 
 namespace metamer {
 
@@ -26,6 +26,6 @@ struct PngPicture {
 
 /// Reads a .png that is there, by libpng. Errors name the file: one that is damaged, or of more
 /// than max_image_values values.
-Result<PngPicture> read_png(const std::filesystem::path& file);
+Result<PngPicture> read_png(const PictureSource& source);
 
 }  // namespace metamer

@@ -56,8 +56,8 @@ Result<XyzPicture> by_chunks(const PngPicture& png) {
 
 }  // namespace
 
-Result<XyzPicture> read_png_xyz(const std::filesystem::path& file) {
-  Result<PngPicture> png = read_png(file);
+Result<XyzPicture> read_png_xyz(const PictureSource& source) {
+  Result<PngPicture> png = read_png(source);
   if (!png) return tl::unexpected<Problem>(png.error());
   std::vector<float> alpha;
   if (png->image.channels.back() == "A") alpha = take_alpha(png->image);

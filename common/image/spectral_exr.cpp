@@ -134,7 +134,7 @@ Result<void> write_spectral_exr(const SpectralImage& image, const Image& preview
   return {};
 }
 
-Result<SpectralImage> read_spectral_layer(const ExrSource& source,
+Result<SpectralImage> read_spectral_layer(const PictureSource& source,
                                           const std::vector<ExrPart>& parts, const ExrLayer& layer,
                                           const std::optional<PixelWindow>& only) {
   const std::size_t prefix = layer.layer.empty() ? 0 : layer.layer.size() + 1;

@@ -47,7 +47,7 @@ Result<void> write_spectral_exr(const SpectralImage& image, const Image& preview
 /// alphabet's order. `layer` is one of spectra that find_layers found. Errors name the file: those
 /// of read_exr, a hostile name (see parse_spectral_channel), a wavelength in two channels, emission
 /// and reflectance in one layer, only S1. to S3., more than Wavelengths::max_count wavelengths.
-Result<SpectralImage> read_spectral_layer(const ExrSource& source,
+Result<SpectralImage> read_spectral_layer(const PictureSource& source,
                                           const std::vector<ExrPart>& parts, const ExrLayer& layer,
                                           const std::optional<PixelWindow>& only = {});
 

@@ -32,7 +32,7 @@ class PixelSpectrum : public ImageFile {
 };
 
 TEST_F(PixelSpectrum, IsWhatThePictureHasThere) {
-  for (const ExrSource& source : {ExrSource(file), ExrSource(bytes, "b.exr")}) {
+  for (const PictureSource& source : {PictureSource(file), PictureSource(bytes, "b.exr")}) {
     const auto one = read_pixel_spectrum(source, "4x69");
     ASSERT_TRUE(one) << one.error().message;
     EXPECT_EQ(one->quantity, Quantity::reflectance);
@@ -54,7 +54,7 @@ TEST_F(PixelSpectrum, IsWhatThePictureHasThere) {
 }
 
 TEST_F(PixelSpectrum, SaysWhatIsWrongWithAnEntry) {
-  const ExrSource source(bytes, "b.exr");
+  const PictureSource source(bytes, "b.exr");
   EXPECT_EQ(read_pixel_spectrum(source, "5x0").error().message,
             "has no pixel there: it has 5 by 70");
   EXPECT_EQ(read_pixel_spectrum(source, "0x70").error().file, "b.exr");
