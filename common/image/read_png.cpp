@@ -57,13 +57,17 @@ class Reader {
 
 /// All before the pixels, and how many bytes each row of the file has. False: libpng jumped back
 /// here, over frames that have nothing to destroy.
-bool read_info(png_structp png, png_infop info, std::size_t& stored_row) {
+bool read_info(png_structp png, png_infop info, PngSamples samples, std::size_t& stored_row) {
   if (setjmp(png_jmpbuf(png))) return false;
   png_read_info(png, info);
   stored_row = png_get_rowbytes(png, info);
-  png_set_palette_to_rgb(png);
-  png_set_expand_gray_1_2_4_to_8(png);
-  if (png_get_valid(png, info, PNG_INFO_tRNS)) png_set_tRNS_to_alpha(png);
+  if (samples == PngSamples::numbers) {
+    png_set_packing(png);
+  } else {
+    png_set_palette_to_rgb(png);
+    png_set_expand_gray_1_2_4_to_8(png);
+    if (png_get_valid(png, info, PNG_INFO_tRNS)) png_set_tRNS_to_alpha(png);
+  }
   png_set_interlace_handling(png);
   png_read_update_info(png, info);
   return true;
@@ -119,6 +123,7 @@ void read_color(Reader& reader, PngPicture& picture) {
 
 std::vector<std::string> channel_names(int color_type) {
   std::vector<std::string> names = {"Y"};
+  if (color_type == PNG_COLOR_TYPE_PALETTE) return names;
   if (color_type & PNG_COLOR_MASK_COLOR) names = {"R", "G", "B"};
   if (color_type & PNG_COLOR_MASK_ALPHA) names.emplace_back("A");
   return names;
@@ -156,13 +161,13 @@ OpenFile open_source(const PictureSource& source) {
 
 }  // namespace
 
-Result<PngPicture> read_png(const PictureSource& source) {
+Result<PngPicture> read_png(const PictureSource& source, PngSamples samples) {
   const std::filesystem::path& file = source.name;
   const OpenFile open = open_source(source);
   if (!open) return unreadable(file, std::strerror(errno));
   Reader reader(open.get());
   std::size_t stored_row = 0;
-  if (!reader.info || !read_info(reader.png, reader.info, stored_row))
+  if (!reader.info || !read_info(reader.png, reader.info, samples, stored_row))
     return unreadable(file, reader.said.error);
 
   PngPicture picture;

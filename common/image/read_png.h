@@ -24,8 +24,14 @@ struct PngPicture {
   std::map<std::string, std::string> faults;  ///< By chunk: why what it says can't be used.
 };
 
+/// What the samples of a PNG with a palette, or of fewer than 8 bits, are.
+enum class PngSamples {
+  colors,   ///< Those of the palette; the fewer bits spread over 0..1.
+  numbers,  ///< As stored, with the palette left aside: n becomes n / 255.
+};
+
 /// Reads a .png that is there, by libpng. Errors name the file: one that is damaged, or of more
 /// than max_image_values values.
-Result<PngPicture> read_png(const PictureSource& source);
+Result<PngPicture> read_png(const PictureSource& source, PngSamples samples = PngSamples::colors);
 
 }  // namespace metamer

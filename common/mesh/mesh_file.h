@@ -30,7 +30,8 @@ struct MeshFile {
   /// Without normals: of each triangle the group within which normals are averaged, 0: flat; empty:
   /// the file has no such groups. A crease angle that a use names goes before them.
   std::vector<std::uint32_t> smoothing;
-  std::vector<Float2> uvs;  ///< One for each position, NaN: none there; or empty.
+  /// One for each position, v rising from the bottom of a picture; NaN: none there; or empty.
+  std::vector<Float2> uvs;
   std::vector<Triangle> triangles;
   std::vector<MeshPiece> pieces;    ///< In the triangles' order; all triangles are in one.
   std::uint64_t skipped_faces = 0;  ///< Those that span no triangle: fewer than three corners.
@@ -42,6 +43,7 @@ struct MeshUse {
   std::string part = {};                    ///< See select_part(); empty: all of it.
   std::optional<double> crease_angle = {};  ///< Degrees; see smooth_normals().
   bool tangents = false;                    ///< From the UVs, as far as there are any.
+  bool uvs = false;                         ///< As they are.
 };
 
 /// The bytes of a file by its name; a mapped file is not copied.

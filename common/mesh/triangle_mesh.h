@@ -49,6 +49,9 @@ struct TriangleMesh {
   /// One for each position, towards rising u; 0 where the file has no UVs; empty: nowhere, or no
   /// material asks.
   Array<Float3> tangents;
+  /// One for each position, finite, v rising from the bottom of a picture; 0 where the file has
+  /// none there; empty: it has none at all, or no material asks.
+  Array<Float2> uvs;
   Array<Triangle> triangles;
   std::uint64_t skipped_faces = 0;  ///< Of its file: those without three corners.
   std::vector<std::string> notes;   ///< What users should know of how it was read.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "common/mesh/mesh_file.h"
 #include "common/mesh/parts.h"
@@ -22,6 +23,20 @@ std::optional<std::string> many_materials(const std::vector<MeshPiece>& pieces) 
   return "its materials (" + list + ") are all the object's; a part has its own";
 }
 
+/// UVs for textures: where the file has none at some vertices, they are 0 there, and that is said.
+std::vector<Float2> whole_uvs(MeshFile& file) {
+  std::size_t missing = 0;
+  for (Float2& uv : file.uvs) {
+    if (!std::isnan(uv[0])) continue;
+    uv = {0, 0};
+    ++missing;
+  }
+  if (missing > 0)
+    file.notes.push_back(std::to_string(missing) + " of " + std::to_string(file.uvs.size()) +
+                         " vertices have no UVs; they are 0, 0 there");
+  return std::move(file.uvs);
+}
+
 }  // namespace
 
 Result<TriangleMesh> triangles_of(MeshFile file, const MeshUse& use) {
@@ -40,6 +55,7 @@ Result<TriangleMesh> triangles_of(MeshFile file, const MeshUse& use) {
     smooth_normals(file);
   TriangleMesh mesh;
   if (use.tangents) mesh.tangents = tangents_of(file);
+  if (use.uvs) mesh.uvs = whole_uvs(file);
   if (file.positions_f64.empty())
     mesh.positions = Array<Float3>(std::move(file.positions));
   else

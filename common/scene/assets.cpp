@@ -35,6 +35,10 @@ class Collector {
         is_picture_of_spectra(spectrum.file()) ? max_spectral_picture : max_spectrum_file);
   }
 
+  void add_texture(const v1::Texture& texture, const std::string& field) {
+    add(texture.file(), field + ".file", limits::max_asset);
+  }
+
   void add_mesh(const v1::Mesh& mesh, const std::string& field) {
     const bool gltf = has_extension(mesh.file(), ".gltf");
     const std::string path = field + ".file";
@@ -118,6 +122,9 @@ tl::expected<std::vector<Asset>, std::vector<Problem>> collect_assets(
   for_each_observer_file(scene, [&](const std::string& file, const std::string& field) {
     collector.add_observer(file, field);
   });
+  for (int i = 0; i < scene.material_size(); ++i)
+    collector.add_texture(scene.material(i).texture(),
+                          indexed("material", static_cast<std::size_t>(i)) + ".texture");
   for (int i = 0; i < scene.object_size(); ++i) {
     if (!scene.object(i).has_mesh()) continue;
     collector.add_mesh(scene.object(i).mesh(),

@@ -20,6 +20,7 @@ void check_material(const v1::Material& material, const std::string& field, Find
   }
   check_range(material.mirror(), 0, 1, field + ".mirror", findings);
   check_reflection(material, field, findings);
+  if (material.has_texture()) check_texture(material.texture(), field + ".texture", findings);
   if (material.has_fresnel()) check_fresnel(material.fresnel(), field + ".fresnel", findings);
 }
 

@@ -4,7 +4,8 @@ namespace metamer {
 
 std::span<const char* const> feature_names() {
   static constexpr const char* names[] = {"mirrors",        "exact_fresnel", "anisotropy",
-                                          "corner_shading", "factors",       "multi_pass"};
+                                          "corner_shading", "factors",       "textures",
+                                          "multi_pass"};
   return names;
 }
 

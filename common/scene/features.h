@@ -13,6 +13,7 @@ enum class Feature : std::uint8_t {
   anisotropy,      ///< Models that look at tangents.
   corner_shading,  ///< Models at triangles' corners or middles: CONSTANT, GOURAUD, QUADRATIC.
   factors,         ///< What pixels are made of before any spectrum, kept for relighting.
+  textures,        ///< Pictures on surfaces.
   multi_pass,      ///< `point` by four wavelengths at a time.
 };
 

@@ -19,6 +19,9 @@ inline constexpr std::size_t max_lights = 256;   ///< Each costs a shadow ray pe
 inline constexpr double min_luminance = 1e-30;   ///< Products with it are still whole in f32,
 inline constexpr double max_luminance = 1e30;    ///< and these finite.
 inline constexpr std::size_t max_materials = 4096;  ///< × 2 spectra × 4,001 × 4 B = 131 MB.
+inline constexpr int max_texture_spectra = 32;      ///< A press has 8 inks, a palette a few more.
+/// Pixels × spectra of a texture's picture: 128 MiB, and a third more with its smaller copies.
+inline constexpr std::uint64_t max_texture_weights = 64u << 20;
 inline constexpr std::size_t max_objects = 100'000;
 inline constexpr std::size_t max_looks = 1000;        ///< People choose one from a list.
 inline constexpr std::size_t max_name = 200;          ///< Characters; they are for people.

@@ -53,6 +53,10 @@ void for_each_spectrum(
     if (material.has_specular()) {
       visit(material.specular(), field + ".specular", SpectrumRole::property);
     }
+    for (int s = 0; s < material.texture().spectrum_size(); ++s)
+      visit(material.texture().spectrum(s),
+            indexed(field + ".texture.spectrum", static_cast<std::size_t>(s)),
+            SpectrumRole::property);
     const v1::Dielectric& dielectric = material.fresnel().dielectric();
     const std::string below = field + ".fresnel.";
     if (dielectric.has_n()) visit(dielectric.n(), below + "dielectric.n", SpectrumRole::index);

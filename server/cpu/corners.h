@@ -10,4 +10,10 @@ struct Corners {
   std::array<float, 3> across;  ///< Takes a tangent's place where that is along the normal.
 };
 
+/// Where on a texture's surface a point lies.
+struct SurfaceUv {
+  float u, v;
+  float density;  ///< Of UVs: the root of their area over that of the surface, 1/length.
+};
+
 }  // namespace metamer::cpu

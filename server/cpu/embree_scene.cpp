@@ -166,6 +166,7 @@ std::optional<EmbreeScene> EmbreeScene::build(const RenderScene& scene,
                               .mesh = sphere ? nullptr : &scene.meshes[object.mesh],
                               .to_world = rows(centered.to_world)});
     if (sphere) {
+      result.placed_.back().from_world = rows(object.to_world.inverse());
       result.add_sphere(object);
       continue;
     }

@@ -51,6 +51,10 @@ class EmbreeScene {
     return placed_[static_cast<std::size_t>(object)].shading;
   }
   Corners corners(int object, int primitive) const;
+  /// Of the point `at` of an object, whose mesh has UVs if it is one; u and v are its barycentric
+  /// coordinates in the triangle.
+  SurfaceUv surface_uv(int object, int primitive, float u, float v,
+                       const std::array<float, 3>& at) const;
 
   RTCScene handle() const { return scene_.get(); }  ///< For benchmarks.
 
@@ -73,6 +77,7 @@ class EmbreeScene {
     const Float3* normals =
         nullptr;       ///< Of its vertices; an instance's in its own space. Null: flat.
     Double3 center{};  ///< Of the mesh's space, as `to_world` has it.
+    std::array<std::array<float, 4>, 3> from_world{};  ///< Rows; of a sphere.
     bool instance = false;
     std::array<std::array<float, 3>, 3> to_world_normals{};  ///< Rows; for an instance.
   };

@@ -1,5 +1,9 @@
 // What an EmbreeScene knows of a point on a surface: normals, tangents, corners.
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "server/cpu/embree_scene.h"
 #include "server/cpu/shared_source.h"
 
@@ -115,6 +119,38 @@ Corners EmbreeScene::corners(int object, int primitive) const {
     }
   }
   return corners;
+}
+
+SurfaceUv EmbreeScene::surface_uv(int object, int primitive, float u, float v,
+                                  const std::array<float, 3>& at) const {
+  const Placed& placed = placed_[static_cast<std::size_t>(object)];
+  if (placed.mesh == nullptr) {
+    // By longitude and latitude; v goes over half a great circle.
+    const Eigen::Vector3f p = Eigen::Vector3f(mapped(placed.from_world, at, 1).data()).normalized();
+    Eigen::Matrix3f axes;
+    for (Eigen::Index row = 0; row < 3; ++row)
+      for (Eigen::Index column = 0; column < 3; ++column)
+        axes(row, column) =
+            placed.to_world[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+    const float radius = std::cbrt(std::abs(axes.determinant()));
+    constexpr float pi = std::numbers::pi_v<float>;
+    return {0.5f + std::atan2(p.x(), p.z()) / (2 * pi),
+            0.5f + std::asin(std::clamp(p.y(), -1.0f, 1.0f)) / pi, 1 / (pi * radius)};
+  }
+
+  const Triangle& corner = placed.mesh->triangles[static_cast<std::size_t>(primitive)];
+  const Corners where = corners(object, primitive);
+  std::array<Eigen::Vector2f, 3> uv;
+  std::array<Eigen::Vector3f, 3> place;
+  for (std::size_t i = 0; i < 3; ++i) {
+    uv[i] = Eigen::Vector2f(placed.mesh->uvs[corner[i]].data());
+    place[i] = Eigen::Vector3f(where.position[i].data());
+  }
+  const Eigen::Vector2f here = (1 - u - v) * uv[0] + u * uv[1] + v * uv[2], ab = uv[1] - uv[0],
+                        ac = uv[2] - uv[0];
+  const float covered = std::abs(ab.x() * ac.y() - ab.y() * ac.x()),
+              area = (place[1] - place[0]).cross(place[2] - place[0]).norm();
+  return {here.x(), here.y(), area > 0 ? std::sqrt(covered / area) : 0};
 }
 
 }  // namespace metamer::cpu

@@ -22,12 +22,20 @@ struct Packet {
   Vec8 point{};                               ///< The same, lifted off the surface.
 };
 
+/// A part of a lane's diffuse light that goes to another surface than its own.
+struct TextureShare {
+  unsigned lane;
+  std::uint32_t surface;  ///< Of the pixel's gather.
+  float weight;
+};
+
 /// A thread's working memory.
 struct Workspace {
-  std::vector<Gather> gathers;    ///< One for each pixel of a block.
-  std::uint64_t rays = 0;         ///< Camera, mirror and shadow rays since it was set.
-  std::uint64_t evaluations = 0;  ///< Of models, eight points each.
-  std::uint64_t timed_ticks = 0;  ///< What every timed_each-th of them took.
+  std::vector<Gather> gathers;               ///< One for each pixel of a block.
+  std::vector<TextureShare> texture_shares;  ///< Of the packet that is shaded.
+  std::uint64_t rays = 0;                    ///< Camera, mirror and shadow rays since it was set.
+  std::uint64_t evaluations = 0;             ///< Of models, eight points each.
+  std::uint64_t timed_ticks = 0;             ///< What every timed_each-th of them took.
 };
 
 }  // namespace metamer::cpu

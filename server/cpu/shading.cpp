@@ -43,8 +43,11 @@ void scale(models::Lobes<Float8>& lobes, Float8 factor) {
 
 }  // namespace
 
-Shading::Shading(const RenderScene& scene, const EmbreeScene& geometry)
-    : scene_(scene), geometry_(geometry), needed_(needed_angles(scene)) {
+Shading::Shading(const RenderScene& scene, const EmbreeScene& geometry, float footprint)
+    : scene_(scene),
+      geometry_(geometry),
+      texturing_(scene, geometry, footprint),
+      needed_(needed_angles(scene)) {
   for (const RenderLight& light : scene.lights) {
     Light& to = lights_.emplace_back();
     to.light = light.light;
@@ -104,6 +107,7 @@ Shading::Places Shading::find_places(const Packet& packet, const Hits& hits,
     last = static_cast<int>(i);
   }
   places.first = static_cast<unsigned>(last);
+  if (texturing_.is_needed()) places.own_diffuse = texturing_.divide(packet, hits, workspace);
   return places;
 }
 
@@ -214,8 +218,14 @@ void Shading::gather_fresnel(const Step& step, int lane, float cosine, float wei
 }
 
 /// Adds weighted lobes where they are gathered; the lanes that have none hold zeros.
-void Shading::gather(const Step& step, const Lobes& lobes, Int8 lanes) const {
+void Shading::gather(const Step& step, Lobes lobes, Int8 lanes) const {
   Workspace& workspace = step.workspace;
+  if (texturing_.is_needed()) {
+    for (const TextureShare& share : workspace.texture_shares)
+      workspace.gathers[step.packet.pixel[share.lane]].weights(share.surface, step.light).diffuse +=
+          share.weight * lobes.diffuse[share.lane];
+    lobes.diffuse *= step.places.own_diffuse;
+  }
   const Places& places = step.places;
   if (has_exact_)
     for (int i = 0; i < lane_count; ++i)

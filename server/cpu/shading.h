@@ -7,6 +7,7 @@
 #include "common/lights/registry.h"
 #include "server/cpu/embree_scene.h"
 #include "server/cpu/packet.h"
+#include "server/cpu/texturing.h"
 #include "server/models/lanes.h"
 
 namespace metamer::cpu {
@@ -15,8 +16,8 @@ namespace metamer::cpu {
 /// evaluates the models and gathers their lobes. Immutable, shared by threads.
 class Shading {
  public:
-  /// The references must outlive it.
-  Shading(const RenderScene& scene, const EmbreeScene& geometry);
+  /// `footprint` as Texturing has it. The references must outlive it.
+  Shading(const RenderScene& scene, const EmbreeScene& geometry, float footprint);
 
   void shade(const Packet& packet, const Hits& hits, Workspace& workspace) const;
 
@@ -34,6 +35,8 @@ class Shading {
     std::array<std::uint32_t, 8> surface{};  ///< Of the pixel's gather.
     bool together = true;                    ///< All active lanes in the same place.
     unsigned first = 0;                      ///< An active lane.
+    /// What of the diffuse light stays there; the rest is in Workspace::texture_shares.
+    Float8 own_diffuse = metamer::broadcast(1);
   };
   /// One light's part of a packet.
   struct Step {
@@ -50,12 +53,13 @@ class Shading {
   Lobes evaluate_hits(const Step& step, Int8 lanes, Int8 lit, const Vec8& to_light,
                       Float8 weight) const;
   void interpolate(const Step& step, Int8 lanes, Lobes& lobes) const;
-  void gather(const Step& step, const Lobes& lobes, Int8 lanes) const;
+  void gather(const Step& step, Lobes lobes, Int8 lanes) const;
   static void gather_fresnel(const Step& step, int lane, float cosine, float weight);
 
   const RenderScene& scene_;
   const EmbreeScene& geometry_;
   std::vector<Light> lights_;
+  Texturing texturing_;
   NeededAngles needed_;
   bool has_ambient_ = false, has_exact_ = false;
 };

@@ -1,5 +1,6 @@
 #include "server/cpu/tracer.h"
 
+#include <cmath>
 #include <tuple>
 
 #include "server/cpu/shared_source.h"
@@ -25,7 +26,10 @@ Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const v1::
 Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const Frame& frame)
     : scene_(scene),
       geometry_(geometry),
-      shading_(scene, geometry),
+      shading_(scene, geometry,
+               static_cast<float>(
+                   2 * scene.camera.tan_half_fov /
+                   (frame.height * std::sqrt(static_cast<double>(frame.samples.size()))))),
       depth_(frame.depth),
       width_(frame.width),
       height_(frame.height) {

@@ -40,6 +40,7 @@ v1::ImportMesh message_of(const MeshRequest& request, const worker::AssetNames& 
     to.set_part(use.part);
     if (use.crease_angle) to.set_crease_angle(*use.crease_angle);
     to.set_tangents(use.tangents);
+    to.set_uvs(use.uvs);
   }
   return message;
 }

@@ -69,7 +69,7 @@ MeshRequest request_of(const v1::ImportMesh& message) {
     request.meshes.push_back(
         {mesh.field(),
          {mesh.part(), mesh.has_crease_angle() ? std::optional(mesh.crease_angle()) : std::nullopt,
-          mesh.tangents()}});
+          mesh.tangents(), mesh.uvs()}});
   return request;
 }
 

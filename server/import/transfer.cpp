@@ -48,7 +48,7 @@ template <class Mesh, class Each>
 bool for_each_array(const v1::MeshImported::Arrays& lengths, Mesh& mesh, Each each) {
   return each(lengths.positions_f32(), mesh.f32) && each(lengths.positions_f64(), mesh.f64) &&
          each(lengths.normals(), mesh.normals) && each(lengths.tangents(), mesh.tangents) &&
-         each(lengths.triangles(), mesh.triangles);
+         each(lengths.triangles(), mesh.triangles) && each(lengths.uvs(), mesh.uvs);
 }
 
 struct Arrays {
@@ -56,11 +56,12 @@ struct Arrays {
   Array<Double3> f64;
   Array<Float3> normals, tangents;
   Array<Triangle> triangles;
+  Array<Float2> uvs;
 };
 
 Arrays arrays_of(TriangleMesh mesh) {
-  return {mesh.positions.f32(), mesh.positions.f64(), std::move(mesh.normals),
-          std::move(mesh.tangents), std::move(mesh.triangles)};
+  return {mesh.positions.f32(),     mesh.positions.f64(),      std::move(mesh.normals),
+          std::move(mesh.tangents), std::move(mesh.triangles), std::move(mesh.uvs)};
 }
 
 v1::MeshImported::Arrays lengths_of(const TriangleMesh& mesh) {
@@ -70,6 +71,7 @@ v1::MeshImported::Arrays lengths_of(const TriangleMesh& mesh) {
   lengths.set_normals(mesh.normals.size());
   lengths.set_tangents(mesh.tangents.size());
   lengths.set_triangles(mesh.triangles.size());
+  lengths.set_uvs(mesh.uvs.size());
   lengths.set_skipped_faces(mesh.skipped_faces);
   for (const std::string& note : mesh.notes) lengths.add_note(note);
   return lengths;
@@ -91,19 +93,23 @@ bool finite(const Array<Float3>& vectors) {
   return all;
 }
 
+bool finite(const Array<Float2>& uvs) {
+  bool all = true;
+  for (const auto& uv : uvs) all &= std::isfinite(uv[0]) && std::isfinite(uv[1]);
+  return all;
+}
+
 bool sound(const Arrays& mesh) {
   const std::size_t vertices = mesh.f32.size() + mesh.f64.size();
-  const auto one_each = [&](const Array<Float3>& list) {
-    return list.empty() || list.size() == vertices;
-  };
+  const auto one_each = [&](const auto& list) { return list.empty() || list.size() == vertices; };
   if ((!mesh.f32.empty() && !mesh.f64.empty()) || !one_each(mesh.normals) ||
-      !one_each(mesh.tangents) || mesh.triangles.empty())
+      !one_each(mesh.tangents) || !one_each(mesh.uvs) || mesh.triangles.empty())
     return false;
   std::uint32_t last = 0;
   for (const Triangle& corners : mesh.triangles)
     last = std::max({last, corners[0], corners[1], corners[2]});
   return last < vertices && usable(mesh.f32) && usable(mesh.f64) && finite(mesh.normals) &&
-         finite(mesh.tangents);
+         finite(mesh.tangents) && finite(mesh.uvs);
 }
 
 }  // namespace
@@ -184,6 +190,7 @@ std::optional<std::vector<TriangleMesh>> take_meshes(const Descriptor& memory,
     mesh.positions = arrays.f64.empty() ? Positions(arrays.f32) : Positions(arrays.f64);
     mesh.normals = arrays.normals;
     mesh.tangents = arrays.tangents;
+    mesh.uvs = arrays.uvs;
     mesh.triangles = arrays.triangles;
     mesh.skipped_faces = lengths.skipped_faces();
     mesh.notes.assign(lengths.note().begin(), lengths.note().end());

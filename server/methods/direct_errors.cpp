@@ -25,8 +25,7 @@ std::vector<FactorNode> factors_of(const RenderMaterial& material, std::uint32_t
 }
 
 std::vector<std::uint32_t> used_materials(const RenderScene& scene) {
-  std::set<std::uint32_t> used;
-  for (const RenderObject& object : scene.objects) used.insert(object.material);
+  const std::set<std::uint32_t> used = seen_materials(scene);
   const std::vector<std::uint32_t> all(used.begin(), used.end());
   const std::size_t room = most_pairs / std::max<std::size_t>(1, 2 * scene.lights.size());
   if (all.size() <= room) return all;

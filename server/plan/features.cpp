@@ -24,6 +24,8 @@ Lack lack(Feature feature, const std::string& by) {
       return {notice, "the " + by + " shades by PHONG alone"};
     case Feature::factors:
       return {refusal, "the " + by + " keeps no factors for relighting"};
+    case Feature::textures:
+      return {refusal, "the " + by + " has no textures"};
     case Feature::multi_pass:
       return {notice, "has no effect: the " + by + " has no passes"};
   }
@@ -56,6 +58,8 @@ std::vector<Need> features_of(const RenderScene& scene, const v1::Settings& sett
   need_of_objects(
       scene, Feature::anisotropy, [](const Object&, const Material& m) { return m.anisotropic(); },
       needs);
+  need_of_objects(
+      scene, Feature::textures, [](const Object&, const Material& m) { return m.texture; }, needs);
   need_of_objects(
       scene, Feature::corner_shading,
       [](const Object& object, const Material&) {

@@ -28,10 +28,9 @@ std::string named(const std::vector<std::string>& names) {
 
 /// The materials that some object has.
 std::vector<const RenderMaterial*> used_materials(const RenderScene& scene) {
-  std::set<std::uint32_t> used;
-  for (const RenderObject& object : scene.objects) used.insert(object.material);
   std::vector<const RenderMaterial*> materials;
-  for (const std::uint32_t index : used) materials.push_back(&scene.materials[index]);
+  for (const std::uint32_t index : seen_materials(scene))
+    materials.push_back(&scene.materials[index]);
   return materials;
 }
 
@@ -115,6 +114,12 @@ void need_rays(const RenderScene& scene, const std::vector<const RenderMaterial*
     plan.add_unneeded("tangents: no material is anisotropic");
   else
     plan.add_need("tangents: " + named(bent));
+
+  const auto pictured = names_of(materials, [](const RenderMaterial& m) { return m.texture; });
+  if (pictured.empty())
+    plan.add_unneeded("textures: no material has one");
+  else
+    plan.add_need("textures, looked up at each sample: " + named(pictured));
 
   std::vector<std::string> cornered;
   for (const RenderObject& object : scene.objects)

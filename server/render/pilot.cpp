@@ -74,11 +74,10 @@ PilotPixels trace_pixels(const Probe& probe, const v1::Plan& plan, PixelRun run,
 }
 
 PilotPixels scene_colors(const RenderScene& scene, Reference& reference) {
-  std::set<std::uint32_t> used, mirrors;
-  for (const RenderObject& object : scene.objects) {
-    used.insert(object.material);
-    if (scene.materials[object.material].mirror > 0) mirrors.insert(object.material);
-  }
+  const std::set<std::uint32_t> used = seen_materials(scene);
+  std::set<std::uint32_t> mirrors;
+  for (const std::uint32_t material : used)
+    if (scene.materials[material].mirror > 0) mirrors.insert(material);
   PilotPixels pixels;
   const auto add = [&](const Gather& gather) {
     if (pixels.gathers.size() >= max_scene_colors) return;

@@ -82,8 +82,12 @@ lights::Values<double> light_parameters(const ChosenLight& light) {
 class Compiler {
  public:
   Compiler(const v1::Scene& scene, const AssetReader& assets, const MeshImport& import,
-           const std::atomic<bool>& cancelled)
-      : scene_(scene), assets_(assets), import_(import), cancelled_(cancelled) {}
+           const TextureImport& textures, const std::atomic<bool>& cancelled)
+      : scene_(scene),
+        assets_(assets),
+        import_(import),
+        textures_(textures),
+        cancelled_(cancelled) {}
 
   enum class Parts { all, appearance };
   tl::expected<RenderScene, std::vector<Problem>> run(Parts parts) {
@@ -93,6 +97,7 @@ class Compiler {
     observer();
     for (int i = 0; i < scene_.light_size(); ++i) light(i);
     for (int i = 0; i < scene_.material_size(); ++i) material(i);
+    for (int i = 0; i < scene_.material_size() && !cancelled_; ++i) texture(i);
     if (parts == Parts::all) import_files();
     if (parts == Parts::all)
       for (int i = 0; i < scene_.object_size() && !cancelled_; ++i) object(i);
@@ -139,7 +144,49 @@ class Compiler {
          .diffuse = property(material.has_diffuse(), material.diffuse(), 0, field + ".diffuse"),
          .specular = property(material.has_specular(), material.specular(), 1, field + ".specular"),
          .mirror = static_cast<float>(material.mirror())});
-    needs_tangents_ |= result_.materials.back().anisotropic();
+    mesh_needs_.tangents |= result_.materials.back().anisotropic();
+    mesh_needs_.uvs |= material.has_texture();
+  }
+
+  /// Its spectra become materials of their own, behind those of the scene: methods and relighting
+  /// know them as any other.
+  void texture(int index) {
+    const v1::Material& material = scene_.material(index);
+    if (!material.has_texture()) return;
+    const v1::Texture& texture = material.texture();
+    const std::string field = "material[" + std::to_string(index) + "].texture";
+    auto picture = textures_(texture, field);
+    if (!picture) return problems_.push_back(std::move(picture.error()));
+    if (result_.materials.size() + static_cast<std::size_t>(texture.spectrum_size()) >
+        limits::max_materials)
+      return add(field + ".spectrum", "materials and spectra of textures are at most " +
+                                          std::to_string(limits::max_materials) + " together");
+
+    RenderTexture to{*std::move(picture), texture.wrap(), uv_map(texture), {}};
+    for (int i = 0; i < texture.spectrum_size(); ++i) {
+      const std::string spectrum_field = field + ".spectrum[" + std::to_string(i) + "]";
+      const std::string name = material.name() + "#" + std::to_string(i + 1);
+      if (is_material(name))
+        add(spectrum_field, "the scene has a material " + quoted(name) +
+                                ", as this spectrum is called for relighting");
+      to.materials.push_back(static_cast<std::uint32_t>(result_.materials.size()));
+      result_.materials.push_back(
+          {.name = name,
+           .reflection = to_f32(reflection_of(v1::Material())),
+           .fresnel = FresnelKind::none,
+           .constants = 0,
+           .diffuse = spectrum(texture.spectrum(i), spectrum_field, SpectrumRole::property),
+           .specular = property(false, {}, 1, field),
+           .mirror = 0});
+    }
+    result_.materials[static_cast<std::size_t>(index)].texture =
+        static_cast<std::uint32_t>(result_.textures.size());
+    result_.textures.push_back(std::move(to));
+  }
+
+  bool is_material(const std::string& name) const {
+    return std::any_of(scene_.material().begin(), scene_.material().end(),
+                       [&](const v1::Material& material) { return material.name() == name; });
   }
 
   /// The index of optical constants, loaded the first time that they are named.
@@ -213,6 +260,10 @@ class Compiler {
         return;
     }
     check_place(to, "object[" + std::to_string(index) + "]");
+    if (to.shape == RenderObject::Shape::mesh && result_.materials[to.material].texture &&
+        result_.meshes[to.mesh].uvs.empty())
+      add("object[" + std::to_string(index) + "]",
+          "its mesh has no UVs, which the texture of " + quoted(object.material()) + " needs");
     result_.objects.push_back(std::move(to));
   }
 
@@ -251,7 +302,7 @@ class Compiler {
   }
 
   void import_files() {
-    for (const MeshRequest& request : mesh_requests(scene_, needs_tangents_)) {
+    for (const MeshRequest& request : mesh_requests(scene_, mesh_needs_)) {
       if (cancelled_) return;
       take_meshes(import_(request), request);
     }
@@ -279,7 +330,8 @@ class Compiler {
     TriangleMesh mesh;
     mesh.positions = Array<Float3>(std::vector<Float3>{{}, f32(u), f32(u + v), f32(v)});
     mesh.triangles = std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}};
-    if (needs_tangents_) mesh.tangents = std::vector<Float3>(4, f32(unit(u)));
+    if (mesh_needs_.tangents) mesh.tangents = std::vector<Float3>(4, f32(unit(u)));
+    if (mesh_needs_.uvs) mesh.uvs = std::vector<Float2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     result_.meshes.push_back(std::move(mesh));
     return static_cast<std::uint32_t>(result_.meshes.size() - 1);
   }
@@ -298,11 +350,12 @@ class Compiler {
   const v1::Scene& scene_;
   const AssetReader& assets_;
   const MeshImport& import_;
+  const TextureImport& textures_;
   const std::atomic<bool>& cancelled_;
   RenderScene result_;
   std::vector<Problem> problems_;
   SpectrumIndex known_emissions_, known_properties_, known_constants_;
-  bool needs_tangents_ = false;                        ///< Of any material.
+  MeshNeeds mesh_needs_;
   std::map<std::string, std::uint32_t> known_meshes_;  ///< By mesh_key().
   std::map<std::string, std::uint32_t> known_materials_;
   std::vector<Eigen::AlignedBox3d> mesh_bounds_;
@@ -313,14 +366,16 @@ class Compiler {
 tl::expected<RenderScene, std::vector<Problem>> compile_scene(const v1::Scene& scene,
                                                               const AssetReader& assets,
                                                               const MeshImport& meshes,
+                                                              const TextureImport& textures,
                                                               const std::atomic<bool>& cancelled) {
-  return Compiler(scene, assets, meshes, cancelled).run(Compiler::Parts::all);
+  return Compiler(scene, assets, meshes, textures, cancelled).run(Compiler::Parts::all);
 }
 
 tl::expected<RenderScene, std::vector<Problem>> compile_appearance(const v1::Scene& scene,
-                                                                   const AssetReader& assets) {
+                                                                   const AssetReader& assets,
+                                                                   const TextureImport& textures) {
   const std::atomic<bool> never = false;
-  return Compiler(scene, assets, MeshImport(), never).run(Compiler::Parts::appearance);
+  return Compiler(scene, assets, MeshImport(), textures, never).run(Compiler::Parts::appearance);
 }
 
 RenderCamera compile_camera(const v1::Camera& camera) {

@@ -18,12 +18,14 @@ namespace metamer {
 tl::expected<RenderScene, std::vector<Problem>> compile_scene(const v1::Scene& scene,
                                                               const AssetReader& assets,
                                                               const MeshImport& meshes,
+                                                              const TextureImport& textures,
                                                               const std::atomic<bool>& cancelled);
 
 /// The same without objects and meshes: all that changes while those stay as they are. The objects
 /// of the message have to be those of the scene that it is for.
 tl::expected<RenderScene, std::vector<Problem>> compile_appearance(const v1::Scene& scene,
-                                                                   const AssetReader& assets);
+                                                                   const AssetReader& assets,
+                                                                   const TextureImport& textures);
 
 /// The camera of a message that validate_scene has nothing against.
 RenderCamera compile_camera(const v1::Camera& camera);

@@ -10,7 +10,7 @@ namespace metamer {
 
 std::string mesh_key(const v1::Mesh& mesh) { return mesh.SerializeAsString(); }
 
-std::vector<MeshRequest> mesh_requests(const v1::Scene& scene, bool tangents) {
+std::vector<MeshRequest> mesh_requests(const v1::Scene& scene, const MeshNeeds& needs) {
   std::vector<MeshRequest> requests;
   std::map<std::string, std::size_t> places;  ///< Of files.
   std::set<std::string> keys;
@@ -24,7 +24,9 @@ std::vector<MeshRequest> mesh_requests(const v1::Scene& scene, bool tangents) {
     const auto crease_angle =
         mesh.has_crease_angle() ? std::optional(mesh.crease_angle()) : std::nullopt;
     requests[place->second].meshes.push_back(
-        {"object[" + std::to_string(i) + "].mesh", {mesh.part(), crease_angle, tangents}, key});
+        {"object[" + std::to_string(i) + "].mesh",
+         {mesh.part(), crease_angle, needs.tangents, needs.uvs},
+         key});
   }
   return requests;
 }

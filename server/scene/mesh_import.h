@@ -24,8 +24,12 @@ struct MeshRequest {
 
 /// What tells a mesh of a scene from others.
 std::string mesh_key(const v1::Mesh& mesh);
-/// Each file of a scene once, with each mesh that objects make of it once. `tangents`: of all.
-std::vector<MeshRequest> mesh_requests(const v1::Scene& scene, bool tangents);
+/// What materials ask of every mesh.
+struct MeshNeeds {
+  bool tangents = false, uvs = false;
+};
+/// Each file of a scene once, with each mesh that objects make of it once.
+std::vector<MeshRequest> mesh_requests(const v1::Scene& scene, const MeshNeeds& needs);
 
 /// Imports a file: its meshes in their order. Errors, with their field: see read_mesh(),
 /// triangles_of().

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,7 @@
 #include "common/models/reflection.h"
 #include "common/scene/fresnel.h"
 #include "common/spectral/cie.h"
+#include "server/scene/texture.h"
 
 namespace metamer {
 
@@ -50,6 +53,8 @@ struct RenderMaterial {
   std::uint32_t constants;          ///< Index into RenderScene::constants, where it is exact.
   std::uint32_t diffuse, specular;  ///< Indices into RenderScene::properties.
   float mirror;  ///< Weight of the mirror reflection, coloured by the Fresnel term.
+  /// Index into RenderScene::textures; its spectra and `diffuse` share the diffuse lobe.
+  std::optional<std::uint32_t> texture = {};
 
   bool has(models::Trait trait) const { return models::entry(reflection.model).traits & trait; }
   bool anisotropic() const;
@@ -71,7 +76,8 @@ struct RenderScene {
   RenderCamera camera;
   Observer observer = cie::observer_1931();
   std::vector<RenderLight> lights;
-  std::vector<RenderMaterial> materials;
+  std::vector<RenderMaterial> materials;  ///< Those of the scene, then the spectra of textures.
+  std::vector<RenderTexture> textures;
   std::vector<RenderObject> objects;
   std::vector<TriangleMesh> meshes;         ///< Distinct files and quads.
   std::vector<Spectrum> emissions;          ///< Distinct spectra of the lights, relative power.
@@ -93,6 +99,9 @@ struct RenderScene {
     return n;
   }
 };
+
+/// The materials that objects have, with those of their textures.
+std::set<std::uint32_t> seen_materials(const RenderScene& scene);
 
 /// Which of the angles that cost something a scene's models look at.
 struct NeededAngles {

@@ -84,18 +84,22 @@ std::string objects_key(const v1::Scene& scene, const RenderScene& compiled,
   *objects.mutable_object() = scene.object();
   objects.mutable_settings()->set_shading(scene.settings().shading());
   std::string key = objects.SerializeAsString();
-  // Objects know their material by its place in the list, and have tangents where any one asks.
+  // Objects know their material by its place in the list, and have tangents and UVs where any one
+  // asks.
   std::map<std::string, std::size_t> places;
-  bool tangents = false;
+  bool tangents = false, uvs = false;
   for (std::size_t i = 0; i < compiled.materials.size(); ++i) {
     places[compiled.materials[i].name] = i;
     tangents |= compiled.materials[i].anisotropic();
+    uvs |= compiled.materials[i].texture.has_value();
   }
   key += tangents ? '\1' : '\0';
+  key += uvs ? '\1' : '\0';
   std::set<std::string> files;
   for (const v1::Object& object : scene.object()) {
     const std::size_t place = places.at(object.material());
-    key += std::to_string(place) + (compiled.materials[place].anisotropic() ? 'a' : 'i');
+    key += std::to_string(place) + (compiled.materials[place].anisotropic() ? 'a' : 'i') +
+           (compiled.materials[place].texture ? 't' : '-');
     if (object.has_mesh() && files.insert(object.mesh().file()).second)
       key += mesh_file_key(object.mesh().file(), names);
   }

@@ -51,7 +51,8 @@ void Job::compile(const v1::CompileJob& message) {
   tl::expected<RenderScene, std::vector<Problem>> compiled;
   view_turns_.serve_while([&] {
     compiled = compile_scene(scene, options_.assets(message.asset()),
-                             options_.meshes(message.asset(), stopped_), stopped_);
+                             options_.meshes(message.asset(), stopped_),
+                             options_.textures(message.asset()), stopped_);
   });
   ++work_;
   if (stopped_) return messages_.stopped();

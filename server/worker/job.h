@@ -43,6 +43,8 @@ struct WorkerOptions {
       return meshes;
     };
   }
+  /// Of a scene's textures, in this process.
+  TextureImport textures(const AssetNames& names) const { return textures_of(assets(names)); }
   AssetReader assets(const AssetNames& names) const {
     return stored_assets(names, store, tell_damage);
   }

@@ -7,7 +7,7 @@ MeshImport KnownMeshes::reusing(MeshImport import, const AssetNames& names) {
           &names](const MeshRequest& request) -> Result<std::vector<TriangleMesh>> {
     const std::string bytes = mesh_file_key(request.file, names);
     const auto key = [&](const MeshUse& use) {
-      return Key{bytes, use.part, use.crease_angle, use.tangents};
+      return Key{bytes, use.part, use.crease_angle, use.tangents, use.uvs};
     };
 
     // Import what is missing.

@@ -23,7 +23,7 @@ class KnownMeshes {
 
  private:
   /// Which bytes, and MeshUse.
-  using Key = std::tuple<std::string, std::string, std::optional<double>, bool>;
+  using Key = std::tuple<std::string, std::string, std::optional<double>, bool, bool>;
   struct Known {
     TriangleMesh mesh;
     bool asked = false;

@@ -12,10 +12,12 @@ using Clock = std::chrono::steady_clock;
 using Outcome = tl::expected<ImportedScene, std::vector<Problem>>;
 
 Outcome import(v1::Scene message, AssetNames names, int of_objects, KnownMeshes meshes,
-               const WorkerOptions& options, const std::atomic<bool>& cancelled) {
+               KnownTextures textures, const WorkerOptions& options,
+               const std::atomic<bool>& cancelled) {
   const auto start = Clock::now();
   auto compiled = compile_scene(message, options.assets(names),
-                                meshes.reusing(options.meshes(names, cancelled), names), cancelled);
+                                meshes.reusing(options.meshes(names, cancelled), names),
+                                textures.reusing(options.textures(names), names), cancelled);
   if (!compiled) return tl::unexpected(std::move(compiled.error()));
   ImportedScene result;
   const auto compiled_at = Clock::now();
@@ -32,28 +34,31 @@ Outcome import(v1::Scene message, AssetNames names, int of_objects, KnownMeshes 
   result.names = std::move(names);
   result.of_objects = of_objects;
   result.meshes = std::move(meshes).asked();
+  result.textures = std::move(textures).asked();
   return result;
 }
 
 }  // namespace
 
 SceneImport::SceneImport(v1::Scene message, AssetNames names, int of_objects, KnownMeshes meshes,
-                         const WorkerOptions& options, std::function<void()> done) {
-  outcome_ = std::async(std::launch::async,
-                        [this, message = std::move(message), names = std::move(names), of_objects,
-                         meshes = std::move(meshes), &options, done = std::move(done)]() mutable {
-                          // Also where something is thrown.
-                          struct Last {
-                            std::atomic<bool>& is_done;
-                            const std::function<void()>& tell;
-                            ~Last() {
-                              is_done = true;
-                              tell();
-                            }
-                          } const last{done_, done};
-                          return import(std::move(message), std::move(names), of_objects,
-                                        std::move(meshes), options, cancelled_);
-                        });
+                         KnownTextures textures, const WorkerOptions& options,
+                         std::function<void()> done) {
+  outcome_ = std::async(
+      std::launch::async, [this, message = std::move(message), names = std::move(names), of_objects,
+                           meshes = std::move(meshes), textures = std::move(textures), &options,
+                           done = std::move(done)]() mutable {
+        // Also where something is thrown.
+        struct Last {
+          std::atomic<bool>& is_done;
+          const std::function<void()>& tell;
+          ~Last() {
+            is_done = true;
+            tell();
+          }
+        } const last{done_, done};
+        return import(std::move(message), std::move(names), of_objects, std::move(meshes),
+                      std::move(textures), options, cancelled_);
+      });
 }
 
 SceneImport::~SceneImport() {

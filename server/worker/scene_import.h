@@ -13,6 +13,7 @@
 #include "server/worker/assets.h"
 #include "server/worker/job.h"
 #include "server/worker/known_meshes.h"
+#include "server/worker/known_textures.h"
 
 namespace metamer::worker {
 
@@ -20,8 +21,9 @@ namespace metamer::worker {
 struct ImportedScene {
   v1::Scene message;
   AssetNames names;
-  int of_objects = 0;                  ///< So many of them: objects may be made of these.
-  KnownMeshes meshes;                  ///< Of its files.
+  int of_objects = 0;  ///< So many of them: objects may be made of these.
+  KnownMeshes meshes;  ///< Of its files.
+  KnownTextures textures;
   std::unique_ptr<RenderScene> scene;  ///< In camera space.
   CameraSpace space;
   std::string objects_key;
@@ -32,10 +34,10 @@ struct ImportedScene {
 /// Compiles a scene on a thread of its own: meshes may take long, and others want the lane's.
 class SceneImport {
  public:
-  /// The first `of_objects` of the names are those that objects may be made of; of `meshes` those
-  /// that are needed are not read again. Calls `done` from that thread.
+  /// The first `of_objects` of the names are those that objects may be made of; of `meshes` and
+  /// `textures` those that are needed are not read again. Calls `done` from that thread.
   SceneImport(v1::Scene message, AssetNames names, int of_objects, KnownMeshes meshes,
-              const WorkerOptions& options, std::function<void()> done);
+              KnownTextures textures, const WorkerOptions& options, std::function<void()> done);
   ~SceneImport();  ///< Waits until it is done.
 
   void cancel() { cancelled_ = true; }

@@ -19,12 +19,15 @@ v1::Scene parse_scene(const std::string& text) {
   return scene;
 }
 
-RenderScene compile_text(const std::string& text) {
+RenderScene compile_text(const std::string& text, const Files& files) {
   const std::atomic<bool> never = false;
-  const AssetReader none = [](const std::string&) -> Result<std::string> {
-    return problem("no assets here");
+  const AssetReader assets = [&](const std::string& name) -> Result<std::string> {
+    const auto found = files.find(name);
+    if (found == files.end()) return problem("no such asset here");
+    return found->second;
   };
-  auto compiled = compile_scene(parse_scene(text), none, import_here(none), never);
+  auto compiled =
+      compile_scene(parse_scene(text), assets, import_here(assets), textures_of(assets), never);
   if (!compiled)
     throw std::invalid_argument(compiled.error().front().field + ": " +
                                 compiled.error().front().message);
@@ -35,8 +38,8 @@ std::array<float, 3> resolve(const Method& method, const Gather& gather) {
   return method.resolve(gather, 1, *method.make_scratch());
 }
 
-Rendered render(const std::string& scene_text) {
-  const RenderScene scene = to_camera_space(compile_text(scene_text));
+Rendered render(const std::string& scene_text, const Files& files) {
+  const RenderScene scene = to_camera_space(compile_text(scene_text, files));
   const v1::Settings settings = with_defaults(parse_scene(scene_text).settings());
   const v1::Plan plan = make_plan(scene, settings, {.threads = 1});
   const auto method = make_method(plan, scene);

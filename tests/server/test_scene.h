@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <atomic>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,11 @@ namespace metamer::test {
 /// The scene that a text in protobuf text format describes; the text must be right.
 v1::Scene parse_scene(const std::string& text);
 
-/// Compiled without any assets; must be sound.
-RenderScene compile_text(const std::string& text);
+/// Files by their names.
+using Files = std::map<std::string, std::string>;
+
+/// Compiled with no other assets; must be sound.
+RenderScene compile_text(const std::string& text, const Files& files = {});
 
 /// A picture and the rays that it took.
 struct Rendered {
@@ -34,6 +38,6 @@ struct Rendered {
 std::array<float, 3> resolve(const Method& method, const Gather& gather);
 
 /// Compiles, plans and renders on this thread, by tiles of the settings' size.
-Rendered render(const std::string& scene_text);
+Rendered render(const std::string& scene_text, const Files& files = {});
 
 }  // namespace metamer::test

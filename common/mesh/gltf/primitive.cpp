@@ -154,7 +154,9 @@ void append_uvs(const Primitive& primitive, std::size_t base, MeshFile& to) {
   if (!primitive.uvs) return;
   for_ranges(count, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      to.uvs[base + i] = finite_or_none(primitive.uvs->number(i, 0), primitive.uvs->number(i, 1));
+      // A glTF's v falls from the top of a picture.
+      to.uvs[base + i] =
+          finite_or_none(primitive.uvs->number(i, 0), 1 - primitive.uvs->number(i, 1));
   });
 }
 

@@ -80,7 +80,8 @@ RenderScene compile(const SceneOnDisk& scene) {
   const AssetReader assets = [&](const std::string& name) -> Result<std::string> {
     return contents(scene.folder + name);
   };
-  auto compiled = compile_scene(scene.message, assets, import_here(assets), never);
+  auto compiled =
+      compile_scene(scene.message, assets, import_here(assets), textures_of(assets), never);
   if (!compiled) throw std::runtime_error(compiled.error().front().message);
   return to_camera_space(std::move(*compiled));
 }

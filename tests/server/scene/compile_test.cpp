@@ -20,7 +20,8 @@ auto compile_with(const std::string& text, const Files& files) {
     if (found == files.end()) return problem("was not sent along");
     return found->second;
   };
-  return compile_scene(test::parse_scene(text), assets, import_here(assets), never);
+  return compile_scene(test::parse_scene(text), assets, import_here(assets), textures_of(assets),
+                       never);
 }
 
 std::string scene(const std::string& material, const std::string& objects) {

@@ -1,0 +1,40 @@
+#include "common/scene/check_spectrum.h"
+#include "common/scene/limits.h"
+#include "common/scene/names.h"
+#include "common/scene/parts.h"
+
+namespace metamer {
+
+void check_texture(const v1::Texture& texture, const std::string& field, Findings& findings) {
+  const bool png = has_extension(texture.file(), ".png");
+  if (texture.file().empty())
+    findings.add(field, "texture needs a file");
+  else if (!png && !has_extension(texture.file(), ".exr"))
+    findings.add(field + ".file",
+                 "file must end in .png or .exr (it is " + quoted(texture.file()) + ")");
+
+  const int spectra = texture.spectrum_size();
+  if (spectra == 0 || spectra > limits::max_texture_spectra)
+    return findings.add(field + ".spectrum",
+                        "a texture needs 1 to " + std::to_string(limits::max_texture_spectra) +
+                            " spectra (it has " + std::to_string(spectra) + ")");
+  for (int i = 0; i < spectra; ++i)
+    check_spectrum(texture.spectrum(i), indexed(field + ".spectrum", static_cast<std::size_t>(i)),
+                   SpectrumRole::property, findings);
+
+  const bool index = texture.use() == v1::Texture::INDEX;
+  const int wanted = index ? 1 : spectra;
+  if (texture.channel_size() != 0 && texture.channel_size() != wanted)
+    findings.add(field + ".channel",
+                 (index ? "an INDEX needs 1 channel"
+                        : "there must be a channel for each spectrum, " + std::to_string(spectra)) +
+                     " (there are " + std::to_string(texture.channel_size()) + ")");
+  if (index && !texture.file().empty() && !png)
+    findings.add(field + ".file", "an INDEX must be a .png (it is " + quoted(texture.file()) + ")");
+
+  if (!texture.has_scale()) return;
+  if (texture.scale().u() == 0) findings.add(field + ".scale.u", "u must not be 0");
+  if (texture.scale().v() == 0) findings.add(field + ".scale.v", "v must not be 0");
+}
+
+}  // namespace metamer

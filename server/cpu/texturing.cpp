@@ -1,0 +1,60 @@
+#include "server/cpu/texturing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/scene/limits.h"
+
+namespace metamer::cpu {
+namespace {
+
+/// The level whose pixels are as large as `side`, in lengths of the picture's UVs.
+float level_of(const TexturePicture& picture, float side) {
+  const TexturePicture::Level& finest = picture.levels.front();
+  return std::log2(side *
+                   std::sqrt(static_cast<float>(finest.width) * static_cast<float>(finest.height)));
+}
+
+}  // namespace
+
+Float8 Texturing::divide(const Packet& packet, const Hits& hits, Workspace& workspace) const {
+  Float8 own = metamer::broadcast(1);
+  workspace.texture_shares.clear();
+  for (unsigned i = 0; i < lane_count; ++i) {
+    if (!packet.active[i]) continue;
+    const auto& material = scene_.materials[static_cast<std::size_t>(hits.material[i])];
+    if (!material.texture) continue;
+    const RenderTexture& texture = scene_.textures[*material.texture];
+    const SurfaceUv at =
+        geometry_.surface_uv(hits.object[i], hits.primitive[i], hits.u[i], hits.v[i],
+                             {packet.hit.x[i], packet.hit.y[i], packet.hit.z[i]});
+    const auto& [row_u, row_v] = texture.map;
+    const float u = row_u[0] * at.u + row_u[1] * at.v + row_u[2],
+                v = row_v[0] * at.u + row_v[1] * at.v + row_v[2];
+
+    // A sample covers a longer piece of a surface that it sees at a slant: the mean of both sides.
+    constexpr float flattest = 1e-3f;
+    const float cosine = std::abs(hits.geometric_normal.x[i] * packet.direction.x[i] +
+                                  hits.geometric_normal.y[i] * packet.direction.y[i] +
+                                  hits.geometric_normal.z[i] * packet.direction.z[i]);
+    const float scale = std::sqrt(std::abs(row_u[0] * row_v[1] - row_u[1] * row_v[0]));
+    const float side = footprint_ * packet.travelled[i] * at.density * scale /
+                       std::sqrt(std::max(cosine, flattest));
+
+    std::array<float, limits::max_texture_spectra> weights{};
+    add_weights(texture.picture, texture.wrap, u, v, level_of(texture.picture, side),
+                weights.data());
+    Gather& gather = workspace.gathers[packet.pixel[i]];
+    float rest = 1;
+    for (std::size_t c = 0; c < texture.materials.size(); ++c) {
+      rest -= weights[c];
+      if (weights[c] > 0)
+        workspace.texture_shares.push_back(
+            {i, gather.surface(packet.chain[i], texture.materials[c]), weights[c]});
+    }
+    own[i] = std::max(rest, 0.0f);
+  }
+  return own;
+}
+
+}  // namespace metamer::cpu

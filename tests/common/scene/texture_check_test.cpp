@@ -1,0 +1,45 @@
+#include <gtest/gtest.h>
+
+#include "scene_text.h"
+
+namespace metamer::test {
+namespace {
+
+Strings findings_of(const std::string& texture) {
+  return findings({.material = "material { name: \"grey\" texture { " + texture + " } }"});
+}
+const std::string spectrum = " spectrum { constant: 0.5 } ";
+
+TEST(TextureCheck, NeedsAPictureAndSpectra) {
+  EXPECT_EQ(findings_of(spectrum), Strings({"material[0].texture: texture needs a file"}));
+  EXPECT_EQ(findings_of("file: 'cloth.jpg'" + spectrum),
+            Strings({"material[0].texture.file: file must end in .png or .exr (it is "
+                     "\"cloth.jpg\")"}));
+  EXPECT_EQ(findings_of("file: 'cloth.png'"),
+            Strings({"material[0].texture.spectrum: a texture needs 1 to 32 spectra (it has 0)"}));
+  EXPECT_EQ(findings_of("file: 'cloth.PNG'" + spectrum), Strings());
+}
+
+TEST(TextureCheck, ItsSpectraAreReflectances) {
+  EXPECT_EQ(findings_of("file: 'cloth.png' spectrum { constant: 1.5 }"),
+            Strings({"material[0].texture.spectrum[0].constant: constant must be 0 to 1 (it is "
+                     "1.5)"}));
+}
+
+TEST(TextureCheck, ChannelsAndSpectraAgree) {
+  EXPECT_EQ(findings_of("file: 'cloth.exr' channel: 'C' channel: 'M'" + spectrum),
+            Strings({"material[0].texture.channel: there must be a channel for each spectrum, 1 "
+                     "(there are 2)"}));
+  EXPECT_EQ(findings_of("file: 'cloth.png' use: INDEX channel: ['R', 'G']" + spectrum + spectrum),
+            Strings({"material[0].texture.channel: an INDEX needs 1 channel (there are 2)"}));
+  EXPECT_EQ(findings_of("file: 'cloth.exr' use: INDEX" + spectrum),
+            Strings({"material[0].texture.file: an INDEX must be a .png (it is \"cloth.exr\")"}));
+}
+
+TEST(TextureCheck, AScaleIsNoZero) {
+  EXPECT_EQ(findings_of("file: 'cloth.png' scale { u: 2 }" + spectrum),
+            Strings({"material[0].texture.scale.v: v must not be 0"}));
+}
+
+}  // namespace
+}  // namespace metamer::test
