@@ -171,8 +171,8 @@ Result<std::vector<ExrPart>> read_exr_parts(const PictureSource& source) {
   });
 }
 
-Result<Image> read_exr(const PictureSource& source, const std::vector<ExrPart>& parts, std::size_t part,
-                       const std::vector<std::string>& channels,
+Result<Image> read_exr(const PictureSource& source, const std::vector<ExrPart>& parts,
+                       std::size_t part, const std::vector<std::string>& channels,
                        const std::optional<PixelWindow>& only) {
   const PixelWindow& display = parts[part].display;
   const PixelWindow wanted = !only ? display

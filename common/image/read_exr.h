@@ -50,8 +50,8 @@ Result<std::vector<ExrPart>> read_exr_parts(const PictureSource& source);
 /// f32. Errors name the file: a deep part, a channel with fewer samples than there are pixels,
 /// windows with no pixel in common or more than max_image_values values, a file that is damaged or
 /// has changed since `parts` were read.
-Result<Image> read_exr(const PictureSource& source, const std::vector<ExrPart>& parts, std::size_t part,
-                       const std::vector<std::string>& channels,
+Result<Image> read_exr(const PictureSource& source, const std::vector<ExrPart>& parts,
+                       std::size_t part, const std::vector<std::string>& channels,
                        const std::optional<PixelWindow>& only = {});
 
 }  // namespace metamer
