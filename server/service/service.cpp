@@ -40,6 +40,9 @@ Supervisor::Options for_lane(Supervisor::Options options, const Lane& lane) {
 /// Between two looks at what could not be kept, and at what is too old to be.
 constexpr std::chrono::seconds look_interval{1};
 
+/// Of assets, that go at a time where the state's disk is full: many tiles, few of the assets.
+constexpr std::uint64_t room_bytes = 16u << 20;
+
 /// Tells whether a worker is the one that rendered a job's tiles: two programs may differ in the
 /// last bit. Empty where it can't be read.
 std::string digest_of_program(const std::filesystem::path& program) {
@@ -136,6 +139,8 @@ Result<void> Service::start() {
     add_metrics(counts(), info);
   };
   if (state_) restore_jobs();
+  store_->make_room_by([this] { return queue_.drop_unlisted_picture(); });
+  if (state_) state_->make_room_by([this] { return store_->make_room(room_bytes); });
   asio::co_spawn(context_, look_after_jobs(), asio::detached);
   for (const wire::Endpoint& endpoint : options_.listen) {
     if (auto opened = listener_.open(endpoint, options_.listening); !opened) return opened;
@@ -182,7 +187,11 @@ asio::awaitable<void> Service::look_after_jobs() {
     next_look_.expires_after(look_interval);
     const auto [error] = co_await next_look_.async_wait(asio::as_tuple(asio::use_awaitable));
     if (error) co_return;
-    queue_.keep_again();
+    store_->try_again();
+    if (state_ && state_->trouble())
+      state_->try_again([this] { queue_.keep_again(); });
+    else
+      queue_.keep_again();
     queue_.drop_old();
   }
 }

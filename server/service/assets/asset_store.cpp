@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "server/service/assets/asset_folder.h"
+#include "server/service/store/durable_file.h"
 
 namespace metamer::service {
 
@@ -53,11 +54,8 @@ AssetStore::AssetStore(fs::path folder, std::uint64_t quota)
     : folder_(std::move(folder)), quota_(quota) {}
 
 Result<std::shared_ptr<AssetStore>> AssetStore::open(fs::path folder, std::uint64_t quota) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) {
-    return problem("can't make the store's folder " + folder.string() + ": " + error.message());
-  }
+  if (auto made = make_folder(folder, "the store's folder"); !made)
+    return tl::unexpected(made.error());
   auto store = std::shared_ptr<AssetStore>(new AssetStore(std::move(folder), quota));
   if (auto scanned = store->scan(); !scanned) return tl::unexpected(scanned.error());
   return store;
@@ -216,6 +214,31 @@ void AssetStore::evict(const Digest& digest) {
 bool AssetHolds::add(const Digest& digest) {
   if (held_.contains(digest)) return store_->has(digest);
   if (!store_->hold(digest, account_)) return false;
+bool AssetStore::make_room(std::uint64_t bytes) {
+  std::vector<Digest> unheld;
+  std::uint64_t freed = 0;
+  for (auto oldest = by_use_.begin(); freed < bytes && oldest != by_use_.end(); ++oldest) {
+    const Asset& asset = assets_.at(*oldest);
+    if (!asset.holds.empty() || asset.size == 0) continue;
+    freed += asset.size;
+    unheld.push_back(*oldest);
+  }
+  for (const Digest& digest : unheld) evict(digest);
+  if (freed > 0)
+    spdlog::info("the disk is full: {} assets that nobody holds make room", unheld.size());
+  return freed > 0 || (other_room_ && other_room_());
+}
+
+void AssetStore::try_again() {
+  if (!disk_.text()) return;
+  try {
+    try_to_write(folder_ / "upload-try", refused_bytes_);
+    disk_.taken();
+  } catch (const std::system_error& error) {
+    disk_.refused(error.code().message());
+  }
+}
+
   held_.insert(digest);
   return true;
 }

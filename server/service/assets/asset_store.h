@@ -17,6 +17,7 @@
 #include "server/service/access/accounts.h"
 #include "server/service/assets/file_reader.h"
 #include "server/service/refusal.h"
+#include "server/service/store/disk_trouble.h"
 
 namespace metamer::service {
 
@@ -67,6 +68,15 @@ class AssetStore : public std::enable_shared_from_this<AssetStore> {
   void unlink(const Digest& digest, const std::filesystem::path& link);
   /// Of its file; 0: there was none. It is another one once the asset was uploaded anew.
   std::uint64_t inode(const Digest& digest) const;
+
+  /// The disk is full: removes assets that nobody holds, those unused for longest first, of `bytes`
+  /// at least; where there are none, what make_room_by() names makes room. False: neither could.
+  bool make_room(std::uint64_t bytes);
+  void make_room_by(std::function<bool()> other) { other_room_ = std::move(other); }
+  /// Why assets can't be written; nothing while they can. Who writes them says what came of it.
+  DiskTrouble& disk() { return disk_; }
+  /// While they can't, now and then: writes something that is of no use, which may end the trouble.
+  void try_again();
 
   /// Of assets and of what has come of uploads; never above the quota.
   std::uint64_t bytes() const { return bytes_; }
@@ -119,6 +129,9 @@ class AssetStore : public std::enable_shared_from_this<AssetStore> {
   std::list<Digest> by_use_;                // the one unused for longest first
   std::set<asio::steady_timer*> awaiting_;  // the end of a reading
   FileReader reader_;
+  DiskTrouble disk_{"the asset store"};
+  std::uint64_t refused_bytes_ = 0;  // that the disk had no room for last
+  std::function<bool()> other_room_;
 };
 
 /// The assets that a job or a session needs: they stay in the store as long as this lives.
@@ -180,6 +193,8 @@ class AssetUpload {
  private:
   AssetUpload(AssetStore& store, AccountPtr account, const Digest& digest, std::uint64_t size);
   void give_back();
+  bool made_room(int error, std::uint64_t bytes);
+  tl::unexpected<Refusal> disk_refuses(int error);
 
   std::shared_ptr<AssetStore> store_;
   AccountPtr account_;

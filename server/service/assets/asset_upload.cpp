@@ -1,6 +1,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cerrno>
 #include <cstring>
@@ -49,11 +50,12 @@ tl::expected<AssetUpload, Refusal> AssetUpload::begin(AssetStore& store, Account
   }
   if (auto room = store.victims(size, account); !room) return tl::unexpected(room.error());
   AssetUpload upload(store, std::move(account), digest, size);
-  upload.fd_ = ::open(upload.temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  if (upload.fd_ < 0) {
-    return refuse(v1::Error::INTERNAL,
-                  std::string("can't write into the asset store: ") + std::strerror(errno));
-  }
+  int error = 0;
+  do {
+    upload.fd_ = ::open(upload.temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    error = errno;
+  } while (upload.fd_ < 0 && upload.made_room(error, size));
+  if (upload.fd_ < 0) return upload.disk_refuses(error);
   return upload;
 }
 
@@ -76,12 +78,26 @@ tl::expected<void, Refusal> AssetUpload::add(std::uint64_t offset, std::string_v
     const ssize_t written = ::write(fd_, data.data(), data.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
-      return refuse(v1::Error::INTERNAL,
-                    std::string("can't write into the asset store: ") + std::strerror(errno));
+      const int error = errno;
+      store_->refused_bytes_ = data.size();
+      if (made_room(error, data.size() + size_ - received_)) continue;
+      return disk_refuses(error);
     }
     data.remove_prefix(static_cast<std::size_t>(written));
   }
+  store_->disk_.taken();
   return {};
+}
+
+/// Whether a write is worth another try, of so many bytes that are to come.
+bool AssetUpload::made_room(int error, std::uint64_t bytes) {
+  return is_want_of_room(error) && store_->make_room(std::max<std::uint64_t>(bytes, 1));
+}
+
+tl::unexpected<Refusal> AssetUpload::disk_refuses(int error) {
+  store_->disk_.refused(std::strerror(error));
+  return refuse(v1::Error::INTERNAL,
+                std::string("can't write into the asset store: ") + std::strerror(error));
 }
 
 /// What has come is no longer kept on this upload's account.
@@ -99,8 +115,10 @@ tl::expected<void, Refusal> AssetUpload::commit() {
   // Somebody else may have sent the same one meanwhile; then this one is thrown away.
   if (store_->is_unchanged(digest_)) return {};
   std::error_code error;
-  fs::rename(temporary_, store_->file(digest_), error);
-  if (error) return refuse(v1::Error::INTERNAL, "can't store an asset: " + error.message());
+  do {
+    fs::rename(temporary_, store_->file(digest_), error);
+  } while (error && made_room(error.value(), 1));
+  if (error) return disk_refuses(error.value());
   // The bytes of one that was damaged are counted already.
   if (store_->assets_.contains(digest_))
     return store_->mend(digest_, size_), tl::expected<void, Refusal>();

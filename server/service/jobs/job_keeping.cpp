@@ -138,6 +138,7 @@ void Job::kept(const std::optional<StoreTrouble>& trouble) {
   reserved_kept_ = unkept_.front().reserved;
   unkept_.pop_front();
   // What can't be kept now happened all the same: watchers hear of it, and it is kept later.
+  losing_ = losing_ || *on_disk_->lost();
   keep_again_ = trouble.has_value() || losing_;
   hide_what_is_not_kept();
   const bool rests = ended() || state_ == v1::PAUSED;
@@ -158,7 +159,7 @@ void Job::hide_what_is_not_kept() {
 
 void Job::keep_again() {
   if (!keep_again_ || !unkept_.empty()) return;
-  if (losing_ && film_.ok()) return write_all_tiles();  // and itself once these are there
+  if (losing_ && film_.ok()) write_all_tiles();
   put(false);
 }
 
@@ -192,10 +193,7 @@ void Job::write_tile(TileFile::Entry entry) {
   store_->write_tile(*on_disk_, entry.offset, std::move(record),
                      [job = weak_from_this()](const std::optional<StoreTrouble>& trouble) {
                        const auto self = job.lock();
-                       if (!self || !trouble || std::exchange(self->losing_, true)) return;
-                       self->keep_again_ = true;
-                       spdlog::error("job {}: its tiles can't be kept: {}", self->id_,
-                                     trouble->message);
+                       if (self && trouble) self->losing_ = self->keep_again_ = true;
                      });
   if (log_.last_sequence() + sequence_reserve / 2 > reserved_) put(false);
 }

@@ -218,6 +218,16 @@ void JobQueue::drop(std::uint64_t id) {
 }
 
 std::uint64_t JobQueue::paused_bytes() const {
+bool JobQueue::drop_unlisted_picture() {
+  for (const auto& known : dropped_) {
+    const JobPtr watched = known.lock();
+    if (!watched || watched->picture_bytes() == 0) continue;
+    watched->drop_picture();
+    return true;
+  }
+  return false;
+}
+
   std::uint64_t bytes = 0;
   for (const auto& [id, job] : jobs_) {
     if (job->state() == v1::PAUSED) bytes += job->picture_bytes();

@@ -91,6 +91,9 @@ class JobQueue {
   /// Tells whoever asks what a backend's queued jobs wait for.
   void hold(v1::Backend backend, const std::string& reason);
 
+  /// The disk is full: gives back the picture of one job that is no longer listed and is watched
+  /// still. False: there is none.
+  bool drop_unlisted_picture();
   bool has_work(v1::Backend backend) const;
   std::uint32_t queued() const { return static_cast<std::uint32_t>(line_.size()); }
   std::uint32_t running() const;

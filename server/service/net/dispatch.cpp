@@ -158,7 +158,9 @@ Dispatch::Answer Dispatch::info() {
   info.set_sessions(context_.sessions());
   if (context_.tell_usage) context_.tell_usage(*identity_, info);
   if (context_.state && context_.state->trouble())
-    info.set_trouble("the state can't be written: " + context_.state->trouble()->message);
+    info.set_trouble(*context_.state->trouble());
+  else if (const auto& trouble = context_.store.disk().text())
+    info.set_trouble(*trouble);
   return envelope;
 }
 

@@ -113,6 +113,7 @@ asio::awaitable<tl::expected<void, Refusal>> Dispatch::store(AssetUpload upload)
     trouble = co_await context_.state->carry_out(std::move(name));
   }
   if (!trouble) co_return tl::expected<void, Refusal>();
+  context_.store.disk().refused(trouble->message);
   co_return refuse(v1::Error::INTERNAL, "an asset can't be kept: " + trouble->message);
 }
 

@@ -85,7 +85,7 @@ asio::awaitable<std::optional<Refusal>> Dispatch::kept(const Job& job) {
   if (!job.unkept()) co_return std::nullopt;
   const auto& trouble = context_.state->trouble();
   co_return Refusal{v1::Error::INTERNAL, "job " + std::to_string(job.id()) + " can't be kept: " +
-                                             (trouble ? trouble->message : "its tiles are lost")};
+                                             trouble.value_or("its tiles are lost")};
 }
 
 bool Dispatch::sees(const Job& job) const {

@@ -15,6 +15,7 @@
 #include "server/service/access/permit.h"
 #include "server/service/access/users.h"
 #include "server/service/ops/command_line.h"
+#include "server/service/store/reserve.h"
 #include "server/service/store/schema.h"
 #include "server/service/wall_clock.h"
 
@@ -41,7 +42,17 @@ struct UserWords {
   UserChange change;
 };
 
-using UserTask = std::function<Result<void>(Users&, const UserWords&)>;
+using UserAction = std::function<Result<void>(Users&, const UserWords&)>;
+
+struct UserTask {
+  enum class Kind {
+    reads,
+    writes,
+    has_to_be,  ///< It writes, on a full disk, too: with what the daemon has kept there for this.
+  };
+  UserAction does;
+  Kind kind = Kind::writes;
+};
 
 Result<void> add_user(Users& users, const UserWords& words) {
   UserChange change = words.change;
@@ -131,7 +142,7 @@ void declare_users(CLI::App& app, UserWords& words, UserTask& task) {
       "add",
       "make a user, let a revoked one in again, or change one: what is not named stays. Prints the "
       "token that --token makes",
-      add_user);
+      {add_user});
   name(add);
   add->add_option("--role", words.role,
                   "viewer: looks; submitter: and submits; admin: and orders everybody's jobs")
@@ -142,9 +153,11 @@ void declare_users(CLI::App& app, UserWords& words, UserTask& task) {
       ->check(CLI::Range(0.0, 36500.0))
       ->type_name("DAYS");
   declare_limits(*add, words.change);
-  subcommand("list", "print the users and their tokens' labels", list_users);
-  CLI::App* revoke = subcommand(
-      "revoke", "let a user, or one of its tokens, in no more. Its jobs stay", revoke_user);
+  subcommand("list", "print the users and their tokens' labels",
+             {list_users, UserTask::Kind::reads});
+  CLI::App* revoke =
+      subcommand("revoke", "let a user, or one of its tokens, in no more. Its jobs stay",
+                 {revoke_user, UserTask::Kind::has_to_be});
   name(revoke);
   revoke->add_option("--token", words.token, "this one alone")->type_name("LABEL");
 }
@@ -158,6 +171,26 @@ void become_owner_of(const std::filesystem::path& folder) {
     const int became = ::setuid(status.st_uid);
 }
 
+Result<void> change_users(const std::filesystem::path& file, const UserWords& words,
+                          const UserAction& action) {
+  Database database(file);
+  if (auto migrated = migrate(database); !migrated) return migrated;
+  Users users(database);
+  return action(users, words);
+}
+
+Result<void> write_users(const std::filesystem::path& file, const UserWords& words,
+                         const UserTask& task) {
+  try {
+    return change_users(file, words, task.does);
+  } catch (const DatabaseError& error) {
+    if (!error.is_full() || task.kind != UserTask::Kind::has_to_be ||
+        !give_up_reserve(file.parent_path()))
+      throw;
+  }
+  return change_users(file, words, task.does);
+}
+
 Result<void> carry_out(const UserWords& words, const UserTask& task) {
   const std::filesystem::path folder = words.state;
   std::error_code ignored;
@@ -165,13 +198,18 @@ Result<void> carry_out(const UserWords& words, const UserTask& task) {
     return problem("there is no folder " + folder.string() +
                    "; metamerd --state makes one when it starts");
   become_owner_of(folder);
+  const std::filesystem::path file = folder / database_name;
   try {
-    Database database(folder / database_name);
-    if (auto migrated = migrate(database); !migrated) return migrated;
-    Users users(database);
-    return task(users, words);
+    if (task.kind == UserTask::Kind::reads) {
+      Database database = Database::to_read(file);
+      if (auto known = check_version(database); !known) return known;
+      Users users(database);
+      return task.does(users, words);
+    }
+    return write_users(file, words, task);
   } catch (const DatabaseError& error) {
-    return problem((folder / database_name).string() + ": " + error.what());
+    const char* const advice = error.is_full() ? "; make room on its disk first" : "";
+    return problem(file.string() + ": " + error.what() + advice);
   }
 }
 

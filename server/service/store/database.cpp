@@ -4,12 +4,28 @@
 #include <sqlite3.h>
 #include <unistd.h>
 
+#include <cctype>
+
 namespace metamer::service {
 
 namespace {
 
 /// As long as another connection's commit takes on a slow disk.
 constexpr int busy_milliseconds = 5000;
+
+/// As a URI has a path: with %XX for what means something else there.
+std::string escaped(const std::string& path) {
+  std::string text;
+  for (const char c : path) {
+    constexpr const char* digits = "0123456789ABCDEF";
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isalnum(byte) || c == '/' || c == '.' || c == '-' || c == '_')
+      text += c;
+    else
+      text += {'%', digits[byte >> 4], digits[byte & 15]};
+  }
+  return text;
+}
 
 [[noreturn]] void fail(sqlite3* connection, int code) {
   const char* words = connection ? sqlite3_errmsg(connection) : sqlite3_errstr(code);
@@ -19,12 +35,16 @@ constexpr int busy_milliseconds = 5000;
 }  // namespace
 
 bool DatabaseError::may_pass() const {
-  return code() == SQLITE_FULL || code() == SQLITE_BUSY || code() == SQLITE_NOMEM;
+  return is_full() || code() == SQLITE_BUSY || code() == SQLITE_NOMEM;
+}
+
+bool DatabaseError::is_full() const {
+  return code() == SQLITE_FULL || code_ == SQLITE_IOERR_SHMSIZE;
 }
 
 bool DatabaseError::is_broken() const {
-  return code() == SQLITE_IOERR || code() == SQLITE_CORRUPT || code() == SQLITE_NOTADB ||
-         code() == SQLITE_READONLY || code() == SQLITE_CANTOPEN;
+  return (code() == SQLITE_IOERR && !is_full()) || code() == SQLITE_CORRUPT ||
+         code() == SQLITE_NOTADB || code() == SQLITE_READONLY || code() == SQLITE_CANTOPEN;
 }
 
 void Statement::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
@@ -110,14 +130,42 @@ Database::Database(const std::filesystem::path& file) {
   // connections (fcntl(2)), and another process would then take the log away from under them.
   const int fd = ::open(file.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   if (fd >= 0) ::close(fd);
+  *this = Database(file.string(), SQLITE_OPEN_READWRITE);
+  run("PRAGMA journal_mode=WAL; PRAGMA synchronous=FULL; PRAGMA foreign_keys=ON");
+}
+
+Database::Database(const std::string& name, int flags) {
   sqlite3* connection = nullptr;
-  const int code = sqlite3_open_v2(file.c_str(), &connection,
-                                   SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX, nullptr);
+  const int code = sqlite3_open_v2(name.c_str(), &connection, flags | SQLITE_OPEN_NOMUTEX, nullptr);
   connection_.reset(connection);
   if (code != SQLITE_OK) fail(connection, code);
   sqlite3_extended_result_codes(connection, 1);
   sqlite3_busy_timeout(connection, busy_milliseconds);
-  run("PRAGMA journal_mode=WAL; PRAGMA synchronous=FULL; PRAGMA foreign_keys=ON");
+}
+
+Database Database::to_read(const std::filesystem::path& file) {
+  constexpr const char* touch = "SELECT 1 FROM sqlite_schema LIMIT 1";
+  try {
+    Database shared(file.string(), SQLITE_OPEN_READONLY);
+    shared.run(touch);
+    return shared;
+  } catch (const DatabaseError&) {
+    // No daemon has made the index of its log, and there may be no room for one, or no leave.
+  }
+  std::error_code error;
+  const auto log = std::filesystem::file_size(file.string() + "-wal", error);
+  if (error || log == 0) {
+    Database still("file:" + escaped(file.string()) + "?immutable=1",
+                   SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+    still.run(touch);
+    return still;
+  }
+  // With an index of its own, in memory, and without writing the log's pages back.
+  Database alone(file.string(), SQLITE_OPEN_READWRITE);
+  sqlite3_db_config(alone.connection_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+  alone.run("PRAGMA locking_mode=EXCLUSIVE");
+  alone.run(touch);
+  return alone;
 }
 
 void Database::run(const char* sql) {

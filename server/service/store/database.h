@@ -21,6 +21,8 @@ class DatabaseError : public std::runtime_error {
   int code() const { return code_ & 0xff; }
   /// Another attempt may succeed: the disk is full, or somebody else writes.
   bool may_pass() const;
+  /// With room on the disk it would have been done.
+  bool is_full() const;
   /// The file, or the disk below it, is not what it should be: no attempt will succeed.
   bool is_broken() const;
 
@@ -73,6 +75,8 @@ class Database {
  public:
   /// Opens or makes the file, readable by its owner alone. Throws DatabaseError.
   explicit Database(const std::filesystem::path& file);
+  /// Opens what is there, to read alone: where nothing can be written, too. Throws DatabaseError.
+  static Database to_read(const std::filesystem::path& file);
 
   Statement prepare(std::string_view sql) { return Statement(connection_.get(), sql); }
   /// Runs statements without values.
@@ -98,6 +102,7 @@ class Database {
   struct Close {
     void operator()(sqlite3* connection) const;
   };
+  Database(const std::string& name, int flags);
   std::unique_ptr<sqlite3, Close> connection_;
 };
 

@@ -9,9 +9,11 @@
 #include <cstring>
 #include <set>
 #include <system_error>
+#include <utility>
 
 #include "server/service/store/durable_file.h"
 #include "server/service/store/record_row.h"
+#include "server/service/store/reserve.h"
 #include "server/service/store/schema.h"
 
 namespace metamer::service {
@@ -59,14 +61,16 @@ std::uint64_t last_id(Database& database) {
 
 Result<std::unique_ptr<JobStore>> JobStore::open(asio::any_io_executor loop,
                                                  const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
   auto store = std::unique_ptr<JobStore>(new JobStore(folder));
-  for (const fs::path& inside : {store->assets(), folder / "jobs"})
-    if (!error) fs::create_directories(inside, error);
-  if (!error) fs::permissions(folder, fs::perms::owner_all, error);
+  for (const fs::path& one : {folder, store->assets(), folder / "jobs"}) {
+    auto made = make_folder(one, "the state's folder");
+    if (!made) return tl::unexpected(made.error());
+  }
+  std::error_code error;
+  fs::permissions(folder, fs::perms::owner_all, error);
   if (error)
-    return problem("can't make the state's folder " + folder.string() + ": " + error.message());
+    return problem("can't keep the state's folder " + folder.string() +
+                   " from others: " + error.message());
   if (auto locked = store->lock(); !locked) return tl::unexpected(locked.error());
   if (auto read = store->read(std::move(loop)); !read) return tl::unexpected(read.error());
   return store;
@@ -99,6 +103,7 @@ Result<void> JobStore::read(asio::any_io_executor loop) {
     leads_ = read_leads(*database);
     work_ = read_work(*database);
     remove_orphans();
+    keep_reserve(folder_);
     sync_folder(folder_);
     journal_ = std::make_unique<Journal>(std::move(loop), std::move(database));
   } catch (const std::exception& error) {
@@ -127,10 +132,17 @@ std::unique_ptr<TileFile> JobStore::tiles(std::uint64_t id) const {
 
 void JobStore::put(v1::JobRecord record, const TileFile* tiles, Done done) {
   Journal::Work sync;
+  const auto lost = tiles ? tiles->lost() : nullptr;
   if (tiles) {
-    sync = [path = tiles->path(), lost = tiles->lost()](Database&) {
-      if (*lost) throw std::system_error(ENOSPC, std::generic_category(), path.string());
-      TileFile::sync(path);
+    sync = [path = tiles->path(), lost](Database&) {
+      // No room that is made now would bring them back.
+      if (*lost) throw SyncError(ENOSPC, std::generic_category(), path.string());
+      try {
+        TileFile::sync(path);
+      } catch (const std::system_error&) {
+        *lost = true;
+        throw;
+      }
     };
   }
   journal_->post(
@@ -138,11 +150,17 @@ void JobStore::put(v1::JobRecord record, const TileFile* tiles, Done done) {
         if (sync) sync(database);
         write_record(database, record);
       },
-      [this, done = std::move(done)](const std::optional<StoreTrouble>& trouble) {
-        if (trouble && !trouble_) spdlog::error("the state can't be written: {}", trouble->message);
-        trouble_ = trouble;
+      [this, lost, done = std::move(done)](const std::optional<StoreTrouble>& trouble) {
+        const bool of_tiles = trouble && lost && *lost;
+        note(of_tiles ? tiles_ : rows_, trouble);
         if (done) done(trouble);
       });
+}
+
+void JobStore::note(DiskTrouble& of, const std::optional<StoreTrouble>& trouble) {
+  if (!trouble) return of.taken();
+  ++refusals_;
+  of.refused(trouble->message);
 }
 
 void JobStore::put_usage(v1::Backend backend, std::vector<KeptLead> leads,
@@ -164,16 +182,47 @@ void JobStore::remove(std::uint64_t id) {
 
 void JobStore::write_tile(const TileFile& file, std::uint64_t offset, std::string record,
                           Done done) {
+  const std::uint64_t bytes = record.size();
   journal_->post(
-      [path = file.path(), lost = file.lost(), offset, record = std::move(record)](Database&) {
+      [path = file.path(), lost = file.lost(), offset, record = std::move(record),
+       only_this = false](Database&) mutable {
         try {
           TileFile::write(path, offset, record);
+          if (only_this) *lost = false;  // it was tried again, with more room
         } catch (const std::system_error&) {
-          *lost = true;
+          only_this = !lost->exchange(true) || only_this;
           throw;
         }
       },
-      std::move(done));
+      [this, bytes, done = std::move(done)](const std::optional<StoreTrouble>& trouble) {
+        // One that is taken does not say that the others were: see try_again().
+        if (trouble) {
+          refused_bytes_ = bytes;
+          note(tiles_, trouble);
+        }
+        if (done) done(trouble);
+      });
+}
+
+void JobStore::try_again(std::function<void()> again) {
+  if (!trouble() || std::exchange(tries_, true)) return;
+  journal_->post(
+      [folder = folder_, path = folder_ / "jobs" / "try",
+       bytes = refused_bytes_](Database& database) {
+        database.run("UPDATE meta SET value=value");
+        try_to_write(path, bytes);
+        keep_reserve(folder);
+      },
+      [this, again = std::move(again)](const std::optional<StoreTrouble>& trouble) {
+        tries_ = false;
+        if (trouble) return;
+        again();
+        journal_->post({}, [this, before = refusals_](const std::optional<StoreTrouble>& last) {
+          if (last || refusals_ != before) return;
+          rows_.taken();
+          tiles_.taken();
+        });
+      });
 }
 
 void JobStore::cut_tiles(std::uint64_t id, std::uint64_t size) {

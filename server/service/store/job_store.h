@@ -9,6 +9,7 @@
 
 #include "common/problem.h"
 #include "metamer/v1/record.pb.h"
+#include "server/service/store/disk_trouble.h"
 #include "server/service/store/journal.h"
 #include "server/service/store/tile_file.h"
 #include "server/service/store/usage_rows.h"
@@ -17,7 +18,7 @@ namespace metamer::service {
 
 /// What a daemon keeps in its state's folder, which it alone has open:
 ///
-///     lock  metamer.db  assets/SHA-256…  jobs/ID.tiles
+///     lock  metamer.db  reserve  assets/SHA-256…  jobs/ID.tiles
 ///
 /// What is asked for is carried out in that order, by the journal's thread. For the loop's thread.
 class JobStore {
@@ -71,14 +72,24 @@ class JobStore {
   asio::awaitable<std::optional<StoreTrouble>> carry_out(Journal::Work work) {
     return journal_->carry_out(std::move(work));
   }
-  /// Why the last put() failed; nothing when it did not.
-  const std::optional<StoreTrouble>& trouble() const { return trouble_; }
+  /// Why jobs or tiles can't be kept; nothing while they can.
+  const std::optional<std::string>& trouble() const {
+    return rows_.text() ? rows_.text() : tiles_.text();
+  }
+  /// While there is trouble, now and then: writes something that is of no use. Where that goes well
+  /// `again` puts what could not be kept, and unless that is refused the trouble is over.
+  void try_again(std::function<void()> again);
+  /// See Journal.
+  void make_room_by(std::function<bool()> make_room) {
+    journal_->make_room_by(std::move(make_room));
+  }
 
  private:
   explicit JobStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
   Result<void> lock();
   Result<void> read(asio::any_io_executor loop);
   void remove_orphans();
+  void note(DiskTrouble& of, const std::optional<StoreTrouble>& trouble);
   std::filesystem::path tile_path(std::uint64_t id) const;
 
   std::filesystem::path folder_;
@@ -88,7 +99,10 @@ class JobStore {
   std::vector<Kept> kept_;
   std::vector<KeptLead> leads_;
   std::vector<KeptWork> work_;
-  std::optional<StoreTrouble> trouble_;
+  DiskTrouble rows_{"the state"}, tiles_{"the tiles of jobs"};
+  std::uint64_t refusals_ = 0;       // so far
+  std::uint64_t refused_bytes_ = 0;  // of the last tile that was
+  bool tries_ = false;               // try_again() is under way
   std::unique_ptr<Journal> journal_;
 };
 

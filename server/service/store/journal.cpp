@@ -2,9 +2,11 @@
 
 #include <spdlog/spdlog.h>
 
-#include <cerrno>
 #include <system_error>
 #include <utility>
+
+#include "server/service/store/disk_trouble.h"
+#include "server/service/store/durable_file.h"
 
 namespace metamer::service {
 
@@ -77,25 +79,51 @@ void Journal::write(std::vector<Entry>& batch) {
 }
 
 void Journal::write_one(Entry& entry) {
-  if (broken_) {
-    entry.trouble = broken_;
-    return;
-  }
+  do {
+    entry.trouble = try_one(entry);
+  } while (entry.trouble && entry.trouble->wants_room && ask_for_room());
+}
+
+std::optional<StoreTrouble> Journal::try_one(const Entry& entry) {
+  if (broken_) return broken_;
   try {
     Database::Transaction transaction(*database_);
     if (entry.work) entry.work(*database_);
     transaction.commit();
+    return std::nullopt;
   } catch (const DatabaseError& error) {
-    entry.trouble = StoreTrouble{error.what(), error.may_pass()};
+    const StoreTrouble trouble{error.what(), error.may_pass(), error.is_full()};
     // After a failed sync nobody knows what is on the disk: what is written later could rest on
     // something that is not.
-    if (error.is_broken()) broken_ = entry.trouble;
+    if (error.is_broken()) broken_ = trouble;
+    return trouble;
+  } catch (const SyncError& error) {
+    return StoreTrouble{error.code().message(), is_want_of_room(error.code().value())};
   } catch (const std::system_error& error) {
-    entry.trouble = StoreTrouble{error.code().message(),
-                                 error.code().value() == ENOSPC || error.code().value() == EDQUOT};
+    const bool full = is_want_of_room(error.code().value());
+    return StoreTrouble{error.code().message(), full, full};
   } catch (const std::exception& error) {
-    entry.trouble = StoreTrouble{error.what(), false};
+    return StoreTrouble{error.what()};
   }
+}
+
+/// Waits for the loop's answer; what comes later waits, too, for all is written in order. No room
+/// is made for a journal that ends: nobody runs the loop then.
+bool Journal::ask_for_room() {
+  {
+    const std::lock_guard guard(mutex_);
+    room_made_.reset();
+  }
+  asio::post(loop_, [this, alive = std::weak_ptr(alive_)] {
+    if (alive.expired()) return;
+    const bool made = make_room_ && make_room_();
+    const std::lock_guard guard(mutex_);
+    room_made_ = made;
+    wake_.notify_one();
+  });
+  std::unique_lock lock(mutex_);
+  wake_.wait(lock, [&] { return stopping_ || room_made_; });
+  return room_made_.value_or(false);
 }
 
 void Journal::finish(std::vector<Entry> batch) {

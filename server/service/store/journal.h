@@ -19,7 +19,8 @@ namespace asio = boost::asio;
 /// Why something could not be kept.
 struct StoreTrouble {
   std::string message;
-  bool may_pass = false;  ///< The disk is full, say: the same may be asked for again.
+  bool may_pass = false;    ///< The disk is full, say: the same may be asked for again.
+  bool wants_room = false;  ///< That is why: with room it would have been done.
 };
 
 /// One thread that writes what is to outlive the process, in the order in which it was posted. What
@@ -44,6 +45,10 @@ class Journal {
   /// Waits until all that was posted so far has been carried out. The trouble of `work`, if any.
   asio::awaitable<std::optional<StoreTrouble>> carry_out(Work work);
 
+  /// What is asked on the loop for room on the disk before something is refused for want of it, and
+  /// again until it has made none: false.
+  void make_room_by(std::function<bool()> make_room) { make_room_ = std::move(make_room); }
+
   /// Transactions so far; for the loop's thread.
   std::uint64_t commits() const { return commits_; }
 
@@ -56,18 +61,22 @@ class Journal {
   void run();
   void write(std::vector<Entry>& batch);
   void write_one(Entry& entry);
+  std::optional<StoreTrouble> try_one(const Entry& entry);
+  bool ask_for_room();
   void finish(std::vector<Entry> batch);
 
   asio::any_io_executor loop_;
   std::unique_ptr<Database> database_;
   std::optional<StoreTrouble> broken_;  // of the thread: nothing can be written any more
   std::uint64_t commits_ = 0;
+  std::function<bool()> make_room_;
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);  // watched by what was posted to the loop
 
   std::mutex mutex_;
   std::condition_variable wake_;
   std::vector<Entry> waiting_;
   bool stopping_ = false;
+  std::optional<bool> room_made_;  // the answer, once there is one
   std::thread thread_;
 };
 

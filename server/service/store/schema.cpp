@@ -64,9 +64,9 @@ std::int64_t pragma(Database& database, const char* name) {
 
 const int schema_version = static_cast<int>(steps.size());
 
-Result<void> migrate(Database& database) {
-  Database::Transaction transaction(database);
-  const std::int64_t version = pragma(database, "user_version");
+namespace {
+
+Result<void> check_owner(Database& database, std::int64_t version) {
   const std::int64_t owner = pragma(database, "application_id");
   if (owner != application_id && (owner != 0 || version != 0))
     return problem("the state's database is another program's");
@@ -75,6 +75,23 @@ Result<void> migrate(Database& database) {
                    ", this metamerd writes " + std::to_string(schema_version) +
                    ": start the newer metamerd");
   }
+  return {};
+}
+
+}  // namespace
+
+Result<void> check_version(Database& database) {
+  const std::int64_t version = pragma(database, "user_version");
+  if (auto ours = check_owner(database, version); !ours) return ours;
+  if (version == schema_version) return {};
+  return problem("the state's database is of version " + std::to_string(version) +
+                 ": this metamerd brings it up to date when it starts");
+}
+
+Result<void> migrate(Database& database) {
+  Database::Transaction transaction(database);
+  const std::int64_t version = pragma(database, "user_version");
+  if (auto ours = check_owner(database, version); !ours) return ours;
   for (auto step = static_cast<std::size_t>(version); step < steps.size(); ++step)
     database.run(steps[step]);
   database.run(("PRAGMA user_version=" + std::to_string(schema_version)).c_str());

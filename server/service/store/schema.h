@@ -17,6 +17,10 @@ extern const int schema_version;
 /// a database of a later version, or of another program. Throws DatabaseError.
 Result<void> migrate(Database& database);
 
+/// For who only reads. Errors: a database of another version, or of another program. Throws
+/// DatabaseError.
+Result<void> check_version(Database& database);
+
 /// The 16 random bytes that name this state for ever. Throws DatabaseError.
 std::string server_id(Database& database);
 

@@ -183,7 +183,7 @@ void TileFile::write(const std::filesystem::path& path, std::uint64_t offset,
   write_at(file.fd, offset, record, path);
   // Now and then, so that the last sync of a large picture keeps nobody else's change waiting.
   if (offset / sync_bytes != (offset + record.size()) / sync_bytes && ::fdatasync(file.fd) != 0)
-    fail(path);
+    throw SyncError(errno, std::generic_category(), path.string());
 }
 
 void TileFile::sync(const std::filesystem::path& path) { sync_file(path); }

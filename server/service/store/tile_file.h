@@ -50,7 +50,7 @@ class TileFile {
   /// Keeps it readable though its name may go: with a descriptor, which it otherwise has only while
   /// it is read, for there may be more jobs than descriptors.
   void open() const;
-  /// Whether one of its records could not be written since forget(); for the journal's thread.
+  /// Whether one of its records could not be written, or synced, since forget(); for both threads.
   const std::shared_ptr<std::atomic<bool>>& lost() const { return lost_; }
   /// Where the next record goes: bytes of all before it.
   std::uint64_t size() const { return size_; }

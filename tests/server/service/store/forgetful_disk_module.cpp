@@ -4,7 +4,9 @@
 //     METAMER_DISK          the folder that it is about
 //     METAMER_DISK_SHADOW   where it notes what a power cut would leave (read by forgetful_disk.h)
 //     METAMER_DISK_CUT      at which fsync the power is cut, before that has an effect; 0: never
-//     METAMER_DISK_FULL     a file: while it is there, there is no room (ENOSPC)
+//     METAMER_DISK_FULL     a file: while it is there, there is no room (ENOSPC); with a number in
+//     it, until so
+//                           many files that are not empty were removed
 //     METAMER_DISK_BROKEN   a file: while it is there, nothing can be synced (EIO)
 //
 // It is stricter than most file systems: a name is there only once its folder was synced. A file is
@@ -49,6 +51,21 @@ fs::path path_of(int fd) {
 bool has_room(int fd) {
   static const std::string full = variable("METAMER_DISK_FULL");
   return full.empty() || ::access(full.c_str(), F_OK) != 0 || path_of(fd).empty();
+}
+
+/// Before a file of this disk is removed.
+void note_removal(const char* path) {
+  static const fs::path full = variable("METAMER_DISK_FULL");
+  std::error_code error;
+  if (full.empty() || std::string(path).rfind(folder().string(), 0) != 0 ||
+      !fs::is_regular_file(path, error) || fs::file_size(path, error) == 0)
+    return;
+  int left = 0;
+  if (!(std::ifstream(full) >> left)) return;
+  if (--left == 0)
+    fs::rename(full, full.string() + ".past", error);
+  else
+    std::ofstream(full) << left;
 }
 
 struct ForgetfulDisk {
@@ -147,6 +164,18 @@ int fail(int error) {
 extern "C" int fsync(int fd) { return disk().sync(fd) ? 0 : fail(EIO); }
 
 extern "C" int fdatasync(int fd) { return disk().sync(fd) ? 0 : fail(EIO); }
+
+extern "C" int unlink(const char* path) noexcept {
+  static auto* const real = other<int(const char*)>("unlink");
+  note_removal(path);
+  return real(path);
+}
+
+extern "C" int remove(const char* path) noexcept {
+  static auto* const real = other<int(const char*)>("remove");
+  note_removal(path);
+  return real(path);
+}
 
 extern "C" ssize_t write(int fd, const void* bytes, size_t size) {
   static auto* const real = other<ssize_t(int, const void*, size_t)>("write");
