@@ -51,7 +51,9 @@ void print_users(const v1::Info& info, Report& report) {
         std::to_string(user.jobs_queued()) + " queued, " + std::to_string(user.jobs_ended()) +
         " ended; " + mebibytes(user.asset_bytes()) + " of assets, " +
         mebibytes(user.picture_bytes()) + " of pictures; " +
-        client::formatted("%.1f s of workers, share %g", user.worker_seconds(), user.share()));
+        client::formatted("%.1f s of workers, share %g", user.worker_seconds(), user.share()) +
+        client::formatted("; within a day %.1f s", user.day_seconds()) +
+        (user.max_day_seconds() > 0 ? client::formatted(" of %g", user.max_day_seconds()) : ""));
   }
 }
 

@@ -88,7 +88,8 @@ void ProgressView::show(const v1::JobEvent& event) {
   switch (event.event_case()) {
     case v1::JobEvent::kQueued:
       if (event.queued().position() > 0)
-        line("queued behind " + counted(event.queued().position(), "job", "jobs"));
+        line("queued: " + counted(event.queued().position(), "other job waits", "other jobs wait") +
+             " or " + (event.queued().position() == 1 ? "runs" : "run") + ", and users have turns");
       break;
     case v1::JobEvent::kPlanned:
       line("planned: " + describe(event.planned().plan()));

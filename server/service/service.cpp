@@ -117,6 +117,7 @@ Result<void> Service::open_users() {
 }
 
 Result<void> Service::start() {
+  queue_.count_views([this] { return views_.memory(); });
   if (!options_.state.empty()) {
     auto state = JobStore::open(context_.get_executor(), options_.state);
     if (!state) return tl::unexpected(state.error());
@@ -133,14 +134,14 @@ Result<void> Service::start() {
                      [this] { return listener_.sessions(); }, options_.limits, options_.patience,
                      *logins_, Accounts(users_ ? &*users_ : nullptr), state_.get()});
   service_context_->tell_usage = [this](const Identity& who, v1::Info& info) {
-    add_users(listener_, queue_, who.is_admin() ? "" : who.user, info);
+    add_users(listener_, queue_, service_context_->accounts, who.is_admin() ? "" : who.user, info);
     if (!who.is_admin()) return;
     add_sessions(listener_, info);
     add_metrics(counts(), info);
   };
-  if (state_) restore_jobs();
   store_->make_room_by([this] { return queue_.drop_unlisted_picture(); });
   if (state_) state_->make_room_by([this] { return store_->make_room(room_bytes); });
+  if (state_) restore_jobs();
   asio::co_spawn(context_, look_after_jobs(), asio::detached);
   for (const wire::Endpoint& endpoint : options_.listen) {
     if (auto opened = listener_.open(endpoint, options_.listening); !opened) return opened;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <netinet/in.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 
 #include "../common/wire/certificates.h"
@@ -39,7 +41,12 @@ class LoginE2e : public testing::Test {
     const Ended ended = user({"add", name, "--role", role, "--token", "desk"});
     EXPECT_EQ(ended.code, 0) << ended.err;
     EXPECT_EQ(ended.out.substr(0, 4), "mtr_");
-    return folder_.write(name + ".token", ended.out);
+    return secret(name + ".token", ended.out);
+  }
+  std::string secret(const std::string& name, const std::string& text) const {
+    const std::string path = folder_.write(name, text);
+    std::filesystem::permissions(path, std::filesystem::perms::owner_read);
+    return path;
   }
 };
 
@@ -90,7 +97,7 @@ TEST_F(LoginE2e, UsersLogInByTlsAndSeeTheirOwnJobs) {
   EXPECT_NE(as("ann", {"jobs", "--server", daemon.server}).out.find(job), std::string::npos);
 
   // Without a token; revoked; the server's certificate is another one.
-  EXPECT_NE(as("nobody", {"login", daemon.server, "--token-file", folder_.write("x", "mtr_x\n"),
+  EXPECT_NE(as("nobody", {"login", daemon.server, "--token-file", secret("x", "mtr_x\n"),
                           "--fingerprint", sum})
                 .err.find("this token is not valid here"),
             std::string::npos);
@@ -104,6 +111,45 @@ TEST_F(LoginE2e, UsersLogInByTlsAndSeeTheirOwnJobs) {
   const Ended ended = daemon.process.wait();
   EXPECT_EQ(ended.code, 0);
   EXPECT_EQ(ended.err.find("mtr_"), std::string::npos) << "a token is in the log";
+}
+
+TEST_F(LoginE2e, ATokenThatOthersMayReadIsNotTaken) {
+  const std::string token = folder_.write("token", "mtr_x\n");
+  for (const unsigned mode : {0640u, 0604u, 0620u}) {
+    ASSERT_EQ(::chmod(token.c_str(), mode), 0);
+    const Ended ended = as("ann", {"login", "tls:127.0.0.1:1", "--token-file", token});
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_NE(ended.err.find("others may read " + token), std::string::npos) << ended.err;
+  }
+  ASSERT_EQ(::chmod(token.c_str(), 0600), 0);
+  EXPECT_EQ(as("ann", {"login", "tls:127.0.0.1:1", "--token-file", token}).code, 3);
+}
+
+TEST_F(LoginE2e, OneWhoHasToMakeRoomAtTheDoorIsLoggedWithThatReason) {
+  auto words = tls_options();
+  words.insert(words.begin(),
+               {"metamerd", "--unconfined", "--handshakes", "1", "--handshake-timeout", "0.1"});
+  Listening daemon(words);
+  ASSERT_NE(daemon.server, "");
+  const auto begin_handshake = [&] {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(
+        static_cast<std::uint16_t>(std::stoi(daemon.server.substr(daemon.server.rfind(':') + 1))));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    const int fd = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    EXPECT_EQ(::connect(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+    EXPECT_EQ(::send(fd, "\x16\x03\x01", 3, MSG_NOSIGNAL), 3);
+    return fd;
+  };
+  const int first = begin_handshake(), second = begin_handshake();
+  const auto line = daemon.process.line_err("a login failed");
+  ASSERT_TRUE(line);
+  EXPECT_NE(line->find("peer=127.0.0.1 reason=\"its handshake took long, and others waited\""),
+            std::string::npos)
+      << *line;
+  ::close(first);
+  ::close(second);
 }
 
 TEST_F(LoginE2e, PlainWordsToTlsAndTheReverseAreSaidForWhatTheyAre) {

@@ -1,3 +1,4 @@
+#include <sys/stat.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -9,6 +10,7 @@
 #include "client/cli/commands.h"
 #include "client/cli/connection.h"
 #include "client/session/credentials.h"
+#include "client/tools/text/formatted.h"
 #include "common/wire/endpoint.h"
 
 namespace metamer::cli {
@@ -43,6 +45,17 @@ class QuietTerminal {
   bool there_;
 };
 
+/// As ssh has it of keys: what others may read is no secret any more. Pipes are theirs who made
+/// them.
+Result<void> check_own(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return {};
+  if (status.st_uid != ::geteuid() || (status.st_mode & 077) == 0) return {};
+  return problem("others may read " + path +
+                 client::formatted(" (mode %04o)", unsigned{status.st_mode & 07777}) +
+                 ": have the token revoked, or chmod 600 it if nobody has");
+}
+
 /// The first line: of a file, or of stdin. A token on the command line would be seen by all who
 /// list processes.
 Result<std::string> read_token(const LoginOptions& options) {
@@ -53,6 +66,7 @@ Result<std::string> read_token(const LoginOptions& options) {
   } else {
     std::ifstream file(options.token_file);
     if (!file) return problem("can't read " + options.token_file);
+    if (auto own = check_own(options.token_file); !own) return tl::unexpected(own.error());
     std::getline(file, token);
   }
   while (!token.empty() && (token.back() == '\r' || token.back() == ' ')) token.pop_back();
@@ -127,7 +141,8 @@ void declare(LoginOptions& values, Options& options) {
                      .required = true});
   options.push_back({.names = "--token-file",
                      .target = &values.token_file,
-                     .meaning = "read the token from this file in place of stdin"});
+                     .meaning = "read the token from this file in place of stdin; it is refused "
+                                "where others may read it"});
   options.push_back({.names = "--ca",
                      .target = &values.credentials.authorities,
                      .meaning = "who signs the server's certificate, a PEM file in place of the "

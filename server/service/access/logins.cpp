@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "server/service/ops/log.h"
 #include "server/service/wall_clock.h"
 
 namespace metamer::service {
@@ -39,19 +40,22 @@ tl::expected<Identity, Refusal> Logins::login(const Visitor& visitor, const std:
   }
 }
 
-LoginLimit::Verdict Logins::failed(const Visitor& visitor, const std::string& reason) {
+LoginLimit::Verdict Logins::failed(const Visitor& visitor, const std::string& reason,
+                                   const std::string& user) {
   const auto verdict = limit_.failed(visitor.source(), LoginLimit::Clock::now());
   if (verdict.limited) return verdict;
   if (verdict.unreported > 0)
-    spdlog::warn("{} further logins from {} failed", verdict.unreported, visitor.source());
-  spdlog::warn("a login from {} failed: {}", visitor.source(), reason);
+    log_line(spdlog::level::warn, {.peer = visitor.source()},
+             fmt::format("{} further logins failed", verdict.unreported));
+  log_line(spdlog::level::warn, {.peer = visitor.source(), .user = user, .reason = reason},
+           "a login failed");
   return verdict;
 }
 
 /// Takes note, and says to the client no more than it has to know.
 tl::unexpected<Refusal> Logins::refused(const Visitor& visitor, const char* words,
-                                        const std::string& reason) {
-  const auto verdict = failed(visitor, reason);
+                                        const std::string& reason, const std::string& user) {
+  const auto verdict = failed(visitor, reason, user);
   if (verdict.limited)
     return refuse(v1::Error::UNAUTHENTICATED, "too many failed logins from " + visitor.source() +
                                                   "; try again in " +
@@ -67,9 +71,11 @@ tl::expected<Identity, Refusal> Logins::by_token(const Visitor& visitor, const s
   const std::string hash = token_hash(token);
   const auto owner = users_->find_token(hash);
   if (!owner) return refused(visitor, bad_token, "an unknown token");
-  const std::string named = owner->user.name + "'s token \"" + owner->token.label + "\"";
-  if (owner->revoked()) return refused(visitor, bad_token, named + " is revoked");
-  if (owner->expired(wall_clock())) return refused(visitor, bad_token, named + " has expired");
+  const std::string& user = owner->user.name;
+  const std::string named = user + "'s token \"" + owner->token.label + "\"";
+  if (owner->revoked()) return refused(visitor, bad_token, named + " is revoked", user);
+  if (owner->expired(wall_clock()))
+    return refused(visitor, bad_token, named + " has expired", user);
   Identity identity = identity_of(owner->user, Identity::Known::token);
   identity.token_hash = hash;
   return identity;
@@ -94,7 +100,8 @@ tl::expected<Identity, Refusal> Logins::by_credentials(const Visitor& visitor) {
   if (owns_server(uid)) identity.role = v1::ADMIN;
   if (known || owns_server(uid) || !users_ || !users_->any()) return identity;
   return refused(visitor, "this server does not know you: its administrator has to add your user",
-                 user ? user->name + " is revoked" : "no user has this uid");
+                 user ? user->name + " is revoked" : "no user has this uid",
+                 user ? user->name : std::string());
 }
 
 tl::expected<Identity, Refusal> Logins::without(const Visitor& visitor) {

@@ -34,9 +34,10 @@ class Logins {
   /// what); INTERNAL when the database can't be read. A token without TLS from another machine is
   /// refused, too: it is no longer a secret.
   tl::expected<Identity, Refusal> login(const Visitor& visitor, const std::string& token);
-  /// Logs that somebody came to nothing before he could say who he is; a flood of these is only
-  /// counted.
-  LoginLimit::Verdict failed(const Visitor& visitor, const std::string& reason);
+  /// Logs that somebody came to nothing before he was let in, and which user he said to be, where
+  /// that is known; a flood of these is only counted.
+  LoginLimit::Verdict failed(const Visitor& visitor, const std::string& reason,
+                             const std::string& user = {});
   /// Whether it would still be let in, and as what it was then. Throws DatabaseError.
   bool stands(const Identity& identity);
   /// Nothing can have been revoked: nobody is kept.
@@ -48,7 +49,7 @@ class Logins {
   tl::expected<Identity, Refusal> by_credentials(const Visitor& visitor);
   tl::expected<Identity, Refusal> without(const Visitor& visitor);
   tl::unexpected<Refusal> refused(const Visitor& visitor, const char* words,
-                                  const std::string& reason);
+                                  const std::string& reason, const std::string& user = {});
 
   Users* users_;
   bool open_;

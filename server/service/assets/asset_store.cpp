@@ -180,10 +180,13 @@ tl::expected<std::vector<Digest>, Refusal> AssetStore::victims(std::uint64_t siz
   std::uint64_t freed = 0;
   for (auto oldest = by_use_.begin(); bytes_ - freed + size > quota_; ++oldest) {
     if (oldest == by_use_.end()) {
+      // What others have is theirs, and an admin's, to know.
+      const bool tells = !account || account->admin;
+      const std::string in_use = std::to_string(bytes_ - freed) + " in use";
       return refuse(v1::Error::LIMIT, "the asset store is full: " + std::to_string(size) +
-                                          " bytes do not fit beside the " +
-                                          std::to_string(bytes_ - freed) +
-                                          " in use; its quota is " + std::to_string(quota_));
+                                          " bytes do not fit beside " +
+                                          (tells ? "the " + in_use : "what is in use") +
+                                          "; its quota is " + std::to_string(quota_));
     }
     const Asset& asset = assets_.at(*oldest);
     if (!asset.holds.empty()) continue;
@@ -211,9 +214,6 @@ void AssetStore::evict(const Digest& digest) {
   assets_.erase(found);
 }
 
-bool AssetHolds::add(const Digest& digest) {
-  if (held_.contains(digest)) return store_->has(digest);
-  if (!store_->hold(digest, account_)) return false;
 bool AssetStore::make_room(std::uint64_t bytes) {
   std::vector<Digest> unheld;
   std::uint64_t freed = 0;
@@ -239,6 +239,9 @@ void AssetStore::try_again() {
   }
 }
 
+bool AssetHolds::add(const Digest& digest) {
+  if (held_.contains(digest)) return store_->has(digest);
+  if (!store_->hold(digest, account_)) return false;
   held_.insert(digest);
   return true;
 }

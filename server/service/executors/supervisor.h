@@ -102,6 +102,7 @@ class Supervisor final : public Executor, public ViewHost {
   void send_check();
   bool give_tiles();
   bool has_memory();
+  bool has_memory(View& view, const v1::Plan& plan);
   void send_stop();
   void begin_turn();
   void consider_yielding();

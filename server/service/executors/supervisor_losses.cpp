@@ -130,7 +130,7 @@ bool Supervisor::views_share_worker() const {
   return options_.lane.views && !views_.of(backend()).empty();
 }
 
-/// Views are not estimated: a job that shares its worker with them may take what all may.
+/// Views change all the time: a job that shares its worker with them may take what all may.
 void Supervisor::limit_memory() {
   if (!options_.lane.jobs) return;
   had_views_ = had_views_ || views_share_worker();
@@ -143,7 +143,7 @@ void Supervisor::limit_memory() {
 }
 
 std::string Supervisor::memory_text() const {
-  if (!options_.lane.jobs) return "not limited, since views are not estimated";
+  if (!options_.lane.jobs) return "not limited: views are admitted by estimates";
   return memory_.describe() +
          (group_.path().empty() ? "" : ", and by a control group for the lane");
 }

@@ -177,11 +177,25 @@ void Supervisor::on_prepared(const v1::Timing& timing) {
 void Supervisor::on_view(v1::ViewEvent event) {
   const ViewPtr view = views_.find(event.view_id());
   if (!view) return;
+  if (event.updated().has_plan() && !has_memory(*view, event.updated().plan())) return;
   const bool changed_scene = view->changes_scene();
   auto order = view->take(std::move(event));
   if (!order) return distrust(order.error());
   if (changed_scene || view->ended()) (void)show_assets();
   if (*order) tell(*std::move(*order));
+}
+
+/// For what the plan of a view says. False: the view has ended.
+bool Supervisor::has_memory(View& view, const v1::Plan& plan) {
+  const auto why = queue_.refuse_view(view.size_with(plan), view.memory());
+  if (!why) return true;
+  v1::ViewClosed closed;
+  closed.mutable_reason()->set_kind(v1::Failed::SERVER);
+  closed.mutable_reason()->set_reason(*why);
+  tell(view.closing());
+  view.end(std::move(closed));
+  (void)show_assets();
+  return false;
 }
 
 bool Supervisor::send_next_tiles() {

@@ -190,9 +190,10 @@ void JobQueue::for_each(const std::function<void(const Job&)>& call) const {
   for (const auto& [id, job] : jobs_) call(*job);
 }
 
-std::uint64_t JobQueue::picture_bytes() const {
+std::uint64_t JobQueue::picture_bytes(const AccountPtr& owner) const {
   std::uint64_t bytes = 0;
-  for (const auto& [id, job] : jobs_) bytes += job->picture_bytes();
+  for (const auto& [id, job] : jobs_)
+    if (!owner || job->owner() == owner) bytes += job->picture_bytes();
   return bytes;
 }
 
@@ -217,7 +218,6 @@ void JobQueue::drop(std::uint64_t id) {
   }
 }
 
-std::uint64_t JobQueue::paused_bytes() const {
 bool JobQueue::drop_unlisted_picture() {
   for (const auto& known : dropped_) {
     const JobPtr watched = known.lock();
@@ -228,6 +228,7 @@ bool JobQueue::drop_unlisted_picture() {
   return false;
 }
 
+std::uint64_t JobQueue::paused_bytes() const {
   std::uint64_t bytes = 0;
   for (const auto& [id, job] : jobs_) {
     if (job->state() == v1::PAUSED) bytes += job->picture_bytes();

@@ -75,6 +75,10 @@ class JobQueue {
   std::string work_text(const Job& job) const;
   /// Whether a job may start beside the others, by the memory that it takes.
   Admission admission(const Job& job) const { return admission(job, memory_taken()); }
+  /// What views take is taken from jobs.
+  void count_views(std::function<std::uint64_t()> memory) { views_memory_ = std::move(memory); }
+  /// Why a view of that size can't be open, `own` of what is taken being its own; nothing: it can.
+  std::optional<std::string> refuse_view(const JobSize& size, std::uint64_t own) const;
 
   /// Refused: STATE, or LIMIT when the films of paused jobs would go over the bytes to keep.
   tl::expected<void, Refusal> cancel(Job& job);
@@ -87,19 +91,23 @@ class JobQueue {
   void ended(Job& job);
   /// Drops the ended jobs whose time is over; to be called now and then.
   void drop_old();
+  /// The disk is full: gives back the picture of one job that is no longer listed and is watched
+  /// still. False: there is none.
+  bool drop_unlisted_picture();
 
   /// Tells whoever asks what a backend's queued jobs wait for.
   void hold(v1::Backend backend, const std::string& reason);
 
-  /// The disk is full: gives back the picture of one job that is no longer listed and is watched
-  /// still. False: there is none.
-  bool drop_unlisted_picture();
   bool has_work(v1::Backend backend) const;
   std::uint32_t queued() const { return static_cast<std::uint32_t>(line_.size()); }
   std::uint32_t running() const;
   void for_each(const std::function<void(const Job&)>& call) const;
-  /// Of all jobs that are listed.
-  std::uint64_t picture_bytes() const;
+  /// Of all jobs that are listed; with an owner, of its jobs.
+  std::uint64_t picture_bytes(const AccountPtr& owner = {}) const;
+  /// Seconds that workers spent on each user's jobs within a day.
+  std::map<std::string, double> day_seconds() const;
+  /// How many they may spend on this one's within a day; 0: as many as it wants.
+  double most_day_seconds(const Account& account) const;
   /// Since the start; who draws a tile counts it here.
   JobCounts& counts() { return counts_; }
   /// Those with numbers above `after` that may be seen, as many as a control message holds.
@@ -139,6 +147,7 @@ class JobQueue {
   std::vector<std::weak_ptr<Job>> dropped_;       // and perhaps watched still, oldest first
   WorkLedger work_;
   Retention ended_;
+  std::function<std::uint64_t()> views_memory_ = [] { return 0; };
   JobCounts counts_;
 };
 

@@ -73,8 +73,7 @@ std::string JobQueue::obstacle(const Job& job, std::uint64_t taken) const {
 
 std::string JobQueue::work_text(const Job& job) const {
   const AccountPtr& owner = job.owner();
-  if (!owner || owner->admin) return {};
-  const double most = owner->max_work.value_or(static_cast<double>(limits_.user_work));
+  const double most = owner ? most_day_seconds(*owner) : 0;
   if (most <= 0) return {};
   const double now = clock_();
   const auto free = work_.free_at(owner->name, most, now);
@@ -83,9 +82,20 @@ std::string JobQueue::work_text(const Job& job) const {
                      owner->name, work_.spent(owner->name, now), most, utc_text(*free));
 }
 
-/// By all jobs that have not ended.
+double JobQueue::most_day_seconds(const Account& account) const {
+  if (account.admin) return 0;
+  return account.max_work.value_or(static_cast<double>(limits_.user_work));
+}
+
+std::map<std::string, double> JobQueue::day_seconds() const { return work_.all_spent(clock_()); }
+
+std::optional<std::string> JobQueue::refuse_view(const JobSize& size, std::uint64_t own) const {
+  return service::refuse_view(size, memory_taken() - own, limits_.memory);
+}
+
+/// By all jobs that have not ended, and all views.
 std::uint64_t JobQueue::memory_taken() const {
-  std::uint64_t sum = 0;
+  std::uint64_t sum = views_memory_();
   for (const auto& [id, job] : live_) sum += memory_of(*job);
   return sum;
 }

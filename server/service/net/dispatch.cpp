@@ -1,7 +1,5 @@
 #include "server/service/net/dispatch.h"
 
-#include <spdlog/spdlog.h>
-
 #include "common/wire/protocol.h"
 #include "server/service/access/permit.h"
 #include "server/service/limits.h"
@@ -121,7 +119,6 @@ Dispatch::Answer Dispatch::hello(const v1::Hello& hello) {
   holds_.emplace(context_.store, account_);
   ++context_.traffic.greeted;
   client_ = shortened(hello.client(), max_job_name);
-  spdlog::info("{}, {}, says hello: {}", identity_->user, word(identity_->role), client_);
   v1::Envelope envelope;
   v1::Welcome& welcome = *envelope.mutable_welcome();
   welcome.set_user(identity_->user);
@@ -154,7 +151,8 @@ Dispatch::Answer Dispatch::info() {
   info.set_jobs_running(context_.queue.running());
   // All that there is would tell who sends an asset whether another has sent it before.
   info.set_store_bytes(identity_->is_admin() ? context_.store.bytes() : account_->asset_bytes);
-  if (context_.state) info.set_state_bytes(context_.queue.picture_bytes());
+  if (context_.state)
+    info.set_state_bytes(context_.queue.picture_bytes(identity_->is_admin() ? nullptr : account_));
   info.set_sessions(context_.sessions());
   if (context_.tell_usage) context_.tell_usage(*identity_, info);
   if (context_.state && context_.state->trouble())

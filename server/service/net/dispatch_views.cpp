@@ -11,6 +11,8 @@ Dispatch::Answer Dispatch::open_view(std::uint64_t request_id, v1::OpenView open
                                         " views open at a time");
   auto assets = hold(open.scene_sha256(), open.asset(), open.backend());
   if (!assets) return tl::unexpected(assets.error());
+  if (const auto why = context_.queue.refuse_view(View::size_of(*assets, open.scene_sha256()), 0))
+    return refuse(v1::Error::LIMIT, *why);
   const auto view =
       context_.views.open(std::move(open), *std::move(assets), views_.wake(), account_);
   if (!view) return tl::unexpected(view.error());
@@ -29,6 +31,9 @@ tl::expected<View::Order, Refusal> Dispatch::update(View& view, const v1::Update
   }
   auto assets = hold(update.scene_sha256(), update.asset(), view.backend());
   if (!assets) return tl::unexpected(assets.error());
+  // Both are there until the worker has made the other.
+  if (const auto why = context_.queue.refuse_view(View::size_of(*assets, update.scene_sha256()), 0))
+    return refuse(v1::Error::LIMIT, *why);
   return view.update(update, std::make_unique<AssetHolds>(*std::move(assets)));
 }
 

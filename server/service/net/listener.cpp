@@ -121,8 +121,11 @@ asio::awaitable<void> Listener::greet(wire::Socket socket, bool tls, ServiceCont
   if (tls) {
     auto shaken = co_await tls_greeting_->shake_hands(std::move(socket), *tls_, visitor.source(),
                                                       place, deadline);
-    if (!shaken) context.logins.failed(visitor, shaken.error().message);
-    if (!shaken || stopped_) co_return;
+    if (stopped_ || draining_) co_return;
+    if (!shaken) {
+      context.logins.failed(visitor, shaken.error().message);
+      co_return;
+    }
     stream = *std::move(shaken);
     if (const auto* shown = stream->certificate()) visitor.certificate_names = shown->names;
   } else {
@@ -174,7 +177,8 @@ bool Listener::make_room(const Identity& identity, const ServiceContext& context
     idle = session;
   }
   if (!idle) return false;
-  spdlog::info("an idle session of {} makes room", idle->identity().user);
+  log_line(spdlog::level::info, {.peer = idle->visitor().source(), .user = idle->identity().user},
+           "an idle session makes room");
   idle->close();
   return true;
 }
@@ -201,7 +205,6 @@ asio::awaitable<void> Listener::end_revoked(ServiceContext& context) {
             known.try_emplace({identity.user, identity.token_hash, identity.known, identity.role});
         if (is_new) entry->second = context.logins.stands(identity);
         if (entry->second) continue;
-        spdlog::info("a session of {} ends: it was revoked", identity.user);
         session->end({v1::Error::UNAUTHENTICATED, "what you came in with is no longer valid"});
       }
     } catch (const DatabaseError& error) {

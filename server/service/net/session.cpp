@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "server/service/access/permit.h"
 #include "server/service/limits.h"
 
 namespace metamer::service {
@@ -47,6 +48,7 @@ void Session::start(Clock::time_point deadline) {
 }
 
 void Session::end(const Refusal& refusal) {
+  log_line(spdlog::level::info, fields(refusal.message), "a session is ended");
   send(error_envelope(refusal.code, refusal.message));
   ending_ = true;
   channel_.shutdown_receive();
@@ -97,7 +99,8 @@ void Session::run(asio::awaitable<void> loop) {
                    try {
                      if (error) std::rethrow_exception(error);
                    } catch (const std::exception& exception) {
-                     spdlog::error("a session ended: {}", exception.what());
+                     log_line(spdlog::level::err, self->fields(exception.what()),
+                              "a session ended");
                      self->close();
                    }
                    if (--self->running_ > 0) return;
@@ -115,7 +118,7 @@ asio::awaitable<void> Session::read_requests() {
     if (!got) {
       if (got.error().kind != wire::ChannelError::Kind::frame || ending_) break;
       if (dispatch_.greeted())
-        spdlog::info("a session of {} is closed: {}", identity().user, got.error().message);
+        log_line(spdlog::level::info, fields(got.error().message), "a session is closed");
       else
         context_.logins.failed(visitor_, got.error().message);
       // Nothing that follows can be understood: say why and end.
@@ -144,6 +147,12 @@ asio::awaitable<void> Session::read_requests() {
   }
 }
 
+LogFields Session::fields(std::string reason) const {
+  return {.peer = visitor_.source(),
+          .user = dispatch_.greeted() ? identity().user : std::string(),
+          .reason = std::move(reason)};
+}
+
 std::optional<Session::Clock::time_point> Session::idle_since() const {
   const bool waits = watches_.size() > 0 || views_.size() > 0;
   if (!channel_.is_open() || (waits && !writing_)) return std::nullopt;
@@ -162,15 +171,19 @@ void Session::limit_upload() {
 asio::awaitable<void> Session::handle(v1::Envelope request) {
   last_progress_ = Clock::now();
   const bool is_chunk = request.has_asset_chunk();
+  const bool was_greeted = dispatch_.greeted();
   const std::uint64_t id = request.request_id();
   std::optional<v1::Envelope> answer;
   try {
     answer = co_await dispatch_.answer(std::move(request));
   } catch (const std::exception& exception) {
-    spdlog::error("a request failed: {}", exception.what());
+    log_line(spdlog::level::err, fields(exception.what()), "a request failed");
     answer = error_envelope(v1::Error::INTERNAL, exception.what());
     answer->set_request_id(id);
   }
+  if (!was_greeted && dispatch_.greeted())
+    log_line(spdlog::level::info, fields(),
+             fmt::format("{} says hello: {}", word(identity().role), client()));
   if (is_chunk && dispatch_.uploading()) limit_upload();
   // A watch is answered by its events.
   if (!answer) {
@@ -237,9 +250,7 @@ asio::awaitable<void> Session::write_answers() {
       last_progress_ = Clock::now();
       if (!sent) {
         if (sent.error().kind == wire::ChannelError::Kind::stalled)
-          spdlog::info("a session of {} is closed: {}",
-                       dispatch_.greeted() ? identity().user : visitor_.source(),
-                       sent.error().message);
+          log_line(spdlog::level::info, fields(sent.error().message), "a session is closed");
         co_return close();
       }
     } else if (ending_) {

@@ -8,6 +8,7 @@
 #include "common/wire/channel.h"
 #include "server/service/net/dispatch.h"
 #include "server/service/net/watches.h"
+#include "server/service/ops/log.h"
 
 namespace metamer::service {
 
@@ -68,6 +69,7 @@ class Session : public std::enable_shared_from_this<Session> {
   std::string frames_to_send();
   void finish_if_done();
   void close_view(View& view);
+  LogFields fields(std::string reason = {}) const;
 
   wire::Channel channel_;
   Visitor visitor_;

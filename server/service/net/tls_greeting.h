@@ -24,15 +24,21 @@ class TlsGreeting {
 
   /// Ends at `deadline`, or when the one who has `place` at the door has to go. Of those who wait
   /// for a handshake the newest is next: the others are more likely to be gone. Errors: as
-  /// wire::accept_tls, or the end.
+  /// wire::accept_tls, or why it was ended here.
   asio::awaitable<wire::TlsStream> shake_hands(wire::Socket socket, wire::TlsContext tls,
                                                std::string source, Door::Place place,
                                                Clock::time_point deadline);
 
  private:
   using Timers = std::list<asio::steady_timer*>;
+  /// What ends a connection before its time, and why it was.
+  struct Ending {
+    wire::Abort abort;
+    const char* why = nullptr;
+    void now(const char* reason);
+  };
   asio::awaitable<std::shared_ptr<void>> turn(wire::Socket& socket, std::string source,
-                                              std::shared_ptr<wire::Abort> end);
+                                              std::shared_ptr<Ending> end);
 
   asio::any_io_executor executor_;
   // Outlived by the coroutines of those who are at it.

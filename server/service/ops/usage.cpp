@@ -12,14 +12,15 @@ double seconds_since(Session::Clock::time_point time) {
 
 }  // namespace
 
-void add_users(const Listener& listener, const JobQueue& queue, const std::string& only,
-               v1::Info& info) {
+void add_users(const Listener& listener, const JobQueue& queue, Accounts& accounts,
+               const std::string& only, v1::Info& info) {
   std::map<std::string, v1::UserUsage> users;
   const auto usage = [&](const AccountPtr& account) -> v1::UserUsage* {
     if (!account || (!only.empty() && account->name != only)) return nullptr;
     v1::UserUsage& user = users[account->name];
     user.set_asset_bytes(account->asset_bytes);
     user.set_share(account->share);
+    user.set_max_day_seconds(queue.most_day_seconds(*account));
     return &user;
   };
   listener.for_each([&](const Session& session) {
@@ -37,6 +38,9 @@ void add_users(const Listener& listener, const JobQueue& queue, const std::strin
     user->set_picture_bytes(user->picture_bytes() + job.picture_bytes());
     user->set_worker_seconds(user->worker_seconds() + job.worker_seconds());
   });
+  for (const auto& [name, seconds] : queue.day_seconds())
+    if (v1::UserUsage* user = name.empty() ? nullptr : usage(accounts.named(name)))
+      user->set_day_seconds(seconds);
   for (auto& [name, user] : users) {
     user.set_user(name);
     *info.add_user() = std::move(user);

@@ -1,6 +1,7 @@
 #include "server/service/schedule/admission.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace metamer::service {
@@ -42,6 +43,25 @@ std::uint64_t times(std::uint64_t count, std::uint64_t bytes) {
   return bytes != 0 && count > most / bytes ? most : count * bytes;
 }
 
+struct Part {
+  const char* what;
+  std::uint64_t bytes = 0;
+};
+
+std::array<Part, 6> parts_of(const JobSize& size) {
+  const bool planned = size.pixels > 0;
+  const std::uint64_t files = size.asset_bytes - std::min(size.scene_bytes, size.asset_bytes);
+  return {
+      {{"the worker itself", worker_bytes},
+       {"its objects and materials", times(size.scene_bytes, bytes_per_scene_byte)},
+       {"its files", planned ? size.asset_bytes : times(files, bytes_per_asset_byte)},
+       {"its triangles", planned ? times(size.triangles, bytes_per_triangle) : 0},
+       {"its spectra", added(times(size.spectra, bytes_per_spectrum),
+                             times(times(size.spectra, bytes_per_band), size.bands))},
+       {"its picture",
+        times(size.pixels, bytes_per_pixel + (size.keeps_factors ? factor_bytes_per_pixel : 0))}}};
+}
+
 }  // namespace
 
 std::string mib(std::uint64_t bytes) {
@@ -50,17 +70,24 @@ std::string mib(std::uint64_t bytes) {
 }
 
 std::uint64_t memory_estimate(const JobSize& size) {
-  const bool planned = size.pixels > 0;
-  std::uint64_t bytes = added(worker_bytes, times(size.scene_bytes, bytes_per_scene_byte));
-  bytes =
-      added(bytes, planned ? added(size.asset_bytes, times(size.triangles, bytes_per_triangle))
-                           : times(size.asset_bytes - std::min(size.scene_bytes, size.asset_bytes),
-                                   bytes_per_asset_byte));
-  bytes = added(bytes, times(size.spectra, bytes_per_spectrum));
-  bytes = added(bytes, times(times(size.spectra, bytes_per_band), size.bands));
-  bytes = added(bytes, times(size.pixels, bytes_per_pixel));
-  if (size.keeps_factors) bytes = added(bytes, times(size.pixels, factor_bytes_per_pixel));
+  std::uint64_t bytes = 0;
+  for (const Part& part : parts_of(size)) bytes = added(bytes, part.bytes);
   return bytes;
+}
+
+std::optional<std::string> refuse_view(const JobSize& size, std::uint64_t taken,
+                                       std::uint64_t budget) {
+  const std::uint64_t wanted = memory_estimate(size);
+  const Admission may = admit(wanted, taken, budget);
+  if (may.verdict == Admission::Verdict::starts) return std::nullopt;
+  const auto parts = parts_of(size);
+  const Part& largest = *std::max_element(
+      parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.bytes < b.bytes; });
+  std::string text = "the view takes about " + mib(wanted) + " of memory, most of it for " +
+                     largest.what + ", and ";
+  if (may.verdict == Admission::Verdict::never)
+    return text + "jobs and views may have " + mib(budget) + " (--memory)";
+  return text + "of " + mib(budget) + " others have " + mib(taken);
 }
 
 std::uint64_t memory_allowance(const JobSize& size, std::uint32_t threads,

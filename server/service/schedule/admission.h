@@ -1,11 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace metamer::service {
 
-/// What is known of a job that says how much memory it takes.
+/// What is known of a job, or a view, that says how much memory it takes.
 struct JobSize {
   std::uint64_t asset_bytes = 0;  ///< Of all its files.
   std::uint64_t scene_bytes = 0;  ///< Of them the scene's own, as the wire has it.
@@ -44,5 +45,10 @@ struct Admission {
 /// A job that takes `wanted` bytes beside others that take `taken` of `budget`; budget 0: whatever
 /// it takes.
 Admission admit(std::uint64_t wanted, std::uint64_t taken, std::uint64_t budget);
+
+/// Why a view of that size can't be open beside what takes `taken` of `budget`, and what of it is
+/// the most; a view does not wait. Nothing: it can.
+std::optional<std::string> refuse_view(const JobSize& size, std::uint64_t taken,
+                                       std::uint64_t budget);
 
 }  // namespace metamer::service

@@ -34,6 +34,13 @@ double WorkLedger::spent(std::string_view user, double now) const {
   return sum;
 }
 
+std::map<std::string, double> WorkLedger::all_spent(double now) const {
+  std::map<std::string, double> all;
+  for (const auto& [user, hours] : users_)
+    if (const double seconds = spent(user, now); seconds > 0) all.emplace(user, seconds);
+  return all;
+}
+
 std::optional<double> WorkLedger::free_at(std::string_view user, double most, double now) const {
   assert(most > 0);
   double sum = spent(user, now);

@@ -25,6 +25,8 @@ class WorkLedger {
 
   void spend(std::string_view user, double seconds, double now);
   double spent(std::string_view user, double now) const;
+  /// Of each user on whose jobs any was.
+  std::map<std::string, double> all_spent(double now) const;
   /// The full hour at which the user will have had less than `most`, if it gets nothing until then;
   /// nothing: it has now. `most` above 0.
   std::optional<double> free_at(std::string_view user, double most, double now) const;

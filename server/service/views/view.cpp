@@ -1,6 +1,7 @@
 #include "server/service/views/view.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "common/scene/probed.h"
 #include "server/service/limits.h"
@@ -46,7 +47,29 @@ View::View(std::uint64_t id, v1::OpenView open, AssetHolds assets, std::function
     : id_(id),
       open_(std::move(open)),
       assets_(std::make_unique<AssetHolds>(std::move(assets))),
+      size_(size_of(*assets_, open_.scene_sha256())),
       wake_(std::move(wake)) {}
+
+JobSize View::size_of(const AssetHolds& assets, const std::string& scene_sha256) {
+  const auto scene = digest_from_bytes(scene_sha256);
+  return {.asset_bytes = assets.bytes(), .scene_bytes = scene ? assets.bytes_of(*scene) : 0};
+}
+
+JobSize View::size_with(const v1::Plan& plan) const {
+  JobSize size = sent_assets_ ? sent_size_ : size_;
+  size.pixels = std::uint64_t{plan.width()} * plan.height();
+  size.triangles = plan.triangles();
+  size.spectra = plan.spectra();
+  size.bands = plan.bands();
+  return size;
+}
+
+std::uint64_t View::memory() const {
+  if (ended_) return 0;
+  const std::uint64_t other = sent_assets_ ? memory_estimate(sent_size_) : 0;
+  const std::uint64_t shown = memory_estimate(size_);
+  return shown + std::min(other, std::numeric_limits<std::uint64_t>::max() - shown);
+}
 
 std::vector<const AssetHolds*> View::assets() const {
   std::vector<const AssetHolds*> all = {assets_.get()};
@@ -95,7 +118,10 @@ tl::expected<View::Order, Refusal> View::update(const v1::UpdateView& update,
   if (merged.ByteSizeLong() > wire::max_control_frame)
     return refuse(v1::Error::LIMIT, "the updates that wait are together larger than a message");
   waiting_ = std::move(merged);
-  if (scene) waiting_assets_ = std::move(scene);
+  if (scene) {
+    waiting_size_ = size_of(*scene, update.scene_sha256());
+    waiting_assets_ = std::move(scene);
+  }
   return send_waiting();
 }
 
@@ -106,6 +132,7 @@ View::Order View::send_waiting() {
   *message.mutable_update_view() = *std::exchange(waiting_, std::nullopt);
   answer_due_ = true;
   sent_assets_ = std::move(waiting_assets_);
+  sent_size_ = waiting_size_;
   return message;
 }
 
@@ -165,6 +192,7 @@ tl::expected<View::Order, std::string> View::take(v1::ViewEvent event) {
     case v1::ViewEvent::kRefused:
       if (!answer_due_) return tl::unexpected(std::string("answered an update that there was not"));
       answer_due_ = false;
+      if (event.updated().has_plan()) size_ = size_with(event.updated().plan());
       // The scene that was shown is no longer needed, or the one that was refused.
       if (sent_assets_ && event.has_updated()) assets_ = std::move(sent_assets_);
       sent_assets_.reset();

@@ -12,6 +12,7 @@
 #include "metamer/v1/worker.pb.h"
 #include "server/service/assets/asset_store.h"
 #include "server/service/refusal.h"
+#include "server/service/schedule/admission.h"
 
 namespace metamer::service {
 
@@ -30,6 +31,14 @@ class View {
 
   /// Of what is shown, and of a scene that the worker has been told of.
   std::vector<const AssetHolds*> assets() const;
+  /// What says how much memory it takes: as the newest plan has it, or before that by its files.
+  JobSize size() const { return size_; }
+  /// The same with another scene, before there is a plan.
+  static JobSize size_of(const AssetHolds& assets, const std::string& scene_sha256);
+  /// The same with a plan that its worker has made.
+  JobSize size_with(const v1::Plan& plan) const;
+  /// Bytes, by estimate; with those of another scene that it has been told of.
+  std::uint64_t memory() const;
   /// The worker's next answer says which of these go.
   bool changes_scene() const { return sent_assets_ != nullptr; }
 
@@ -68,6 +77,8 @@ class View {
   v1::OpenView open_;
   std::unique_ptr<AssetHolds> assets_;                        ///< Of what is shown;
   std::unique_ptr<AssetHolds> sent_assets_, waiting_assets_;  ///< of a scene that may be, or null.
+  JobSize size_;                                              ///< Of what is shown,
+  JobSize sent_size_, waiting_size_;                          ///< and of these.
   std::function<void()> wake_;
   bool ended_ = false;
   bool answer_due_ = true;                 ///< Of the worker: to the opening, or to an update.

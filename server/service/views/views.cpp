@@ -1,6 +1,7 @@
 #include "server/service/views/views.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace metamer::service {
 
@@ -26,6 +27,16 @@ std::size_t Views::size() const {
   return static_cast<std::size_t>(
       std::count_if(views_.begin(), views_.end(),
                     [](const auto& known) { return !known.second.view.expired(); }));
+}
+
+std::uint64_t Views::memory() const {
+  std::uint64_t sum = 0;
+  for (const auto& [id, known] : views_)
+    if (const ViewPtr view = known.view.lock()) {
+      const std::uint64_t bytes = view->memory();
+      sum += std::min(bytes, std::numeric_limits<std::uint64_t>::max() - sum);
+    }
+  return sum;
 }
 
 std::vector<ViewPtr> Views::of(v1::Backend backend) const {

@@ -23,6 +23,8 @@ class Views {
                                       std::function<void()> wake, const AccountPtr& owner);
 
   std::size_t size() const;
+  /// Bytes that all take of their workers, by estimate.
+  std::uint64_t memory() const;
   std::vector<ViewPtr> of(v1::Backend backend) const;
   /// Gives the view that a worker speaks of; null: it is closed, and the worker has not heard.
   ViewPtr find(std::uint64_t id) const;

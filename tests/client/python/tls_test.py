@@ -69,6 +69,7 @@ class Tls(unittest.TestCase):
 
     def test_what_login_has_kept_is_enough(self) -> None:
         (self.folder / "token").write_text(self.token)
+        (self.folder / "token").chmod(0o600)
         with mock.patch.dict(os.environ, {"XDG_CONFIG_HOME": str(self.folder / "config")}):
             subprocess.run([BIN / "metamer", "login", self.address, "--token-file", self.folder / "token", "--fingerprint",
                             self.fingerprint(self.certificate)], **QUIET)

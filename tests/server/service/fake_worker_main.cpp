@@ -77,6 +77,15 @@ struct Heart {
 
 Heart heart;
 
+void show(std::uint64_t view, const Script& script) {
+  v1::WorkerEnvelope message;
+  message.mutable_view_event()->set_view_id(view);
+  v1::Plan& plan = *message.mutable_view_event()->mutable_updated()->mutable_plan();
+  plan.set_width(script.width);
+  plan.set_height(script.height);
+  send(message);
+}
+
 class Job {
  public:
   Job(std::uint64_t id, Script script, fs::path store)
@@ -331,6 +340,10 @@ int run(const fs::path& store) {
         say_damaged((*message)->job_id(), scene);
         continue;
       }
+    } else if ((*message)->has_open_view()) {
+      const v1::WorkerView& view = (*message)->open_view();
+      const Script script = parse(read_file(store / hex(view.open().scene_sha256())));
+      if (script.has("shown")) show(view.view_id(), script);
       job.emplace((*message)->job_id(), script, store);
       job->plan((*message)->compile_job());
     } else if ((*message)->has_render_tiles() && job) {

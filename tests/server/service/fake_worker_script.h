@@ -30,6 +30,7 @@ namespace metamer::service::test {
 ///     broken          the promise is broken, until `exact` is asked for
 ///     verify          plan a check of the picture; it is kept if the memory holds all of it
 ///     factors N       send N bytes of factors for the scene, and N for each tile
+///     shown           answer the opening of a view with the plan of its picture
 ///     once            all of that in the first attempt only
 struct Script {
   std::uint32_t width = 64;

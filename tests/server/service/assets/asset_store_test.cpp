@@ -130,6 +130,12 @@ TEST_F(AssetStoreTest, WhatIsHeldStaysAndAFullStoreSaysSo) {
   EXPECT_EQ(refused.error().code, v1::Error::LIMIT);
   EXPECT_EQ(refused.error().message,
             "the asset store is full: 60 bytes do not fit beside the 60 in use; its quota is 100");
+  // What others have is not everybody's to know.
+  const auto ann = std::make_shared<Account>(Account{.name = "ann"});
+  const auto hers = AssetUpload::begin(*store_, ann, sha256("x"), 60);
+  ASSERT_FALSE(hers);
+  EXPECT_EQ(hers.error().message,
+            "the asset store is full: 60 bytes do not fit beside what is in use; its quota is 100");
   holds.clear();
   EXPECT_TRUE(put(text('b', 60)));
   EXPECT_FALSE(store_->has(sha256(text('a', 60))));

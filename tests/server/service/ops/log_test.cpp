@@ -75,7 +75,7 @@ TEST_F(Log, EachLineOfTextHasItsTimeAndItsLevelAndFieldsAfterTheMessage) {
 }
 
 TEST_F(Log, EachLineOfJsonIsAnObjectWithTheSameFields) {
-  bool named = false;
+  bool named = false, came = false;
   for (const std::string& line : lines(log_of({"--log-format", "json"}))) {
     const auto object = nlohmann::json::parse(line, nullptr, false);
     ASSERT_TRUE(object.is_object()) << line;
@@ -84,8 +84,12 @@ TEST_F(Log, EachLineOfJsonIsAnObjectWithTheSameFields) {
     EXPECT_TRUE(object["level"].is_string());
     EXPECT_TRUE(object["message"].is_string());
     named |= object.contains("job") && object["job"] == job_;
+    came |= object["message"].get<std::string>().starts_with("admin says hello") &&
+            object["user"] == object["peer"] &&
+            object["peer"].get<std::string>().starts_with("uid ");
   }
   EXPECT_TRUE(named);
+  EXPECT_TRUE(came);
 }
 
 TEST_F(Log, TheJournalGetsPrioritiesInsteadOfTimes) {

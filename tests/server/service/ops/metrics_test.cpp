@@ -109,7 +109,7 @@ TEST(Metrics, WhatHappensIsCounted) {
 }
 
 TEST(Usage, AnAdminIsToldOfAllAndOthersOfThemselves) {
-  Daemon daemon;
+  Daemon daemon([](ServiceOptions& options) { options.limits.user_work = 3600; });
   Client admin(daemon.socket());
   Client other(daemon.port());
   for (Client* client : {&admin, &other}) {
@@ -133,6 +133,11 @@ TEST(Usage, AnAdminIsToldOfAllAndOthersOfThemselves) {
   EXPECT_EQ(own.user(0).picture_bytes(), 64u * 48 * 12);
   EXPECT_GT(own.user(0).worker_seconds(), 0);
   EXPECT_EQ(own.user(0).share(), 1);
+  EXPECT_EQ(own.user(0).day_seconds(), own.user(0).worker_seconds());
+  for (const v1::UserUsage& user : all.user()) {
+    EXPECT_EQ(user.day_seconds(), user.worker_seconds());
+    EXPECT_EQ(user.max_day_seconds(), user.role() == v1::ADMIN ? 0 : 3600);
+  }
 }
 
 TEST(Metrics, TheFileIsThereWholeFromTheStart) {
