@@ -106,7 +106,6 @@ class Supervisor final : public Executor, public ViewHost {
   void send_stop();
   void begin_turn();
   void consider_yielding();
-  bool copy_tile(const Rect& rect);
   /// Ends the worker because of what it said or did.
   void distrust(const std::string& what);
   Result<void> show_assets(std::uint64_t closed_view = 0);

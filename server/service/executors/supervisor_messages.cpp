@@ -242,17 +242,6 @@ bool Supervisor::give_tiles() {
   return true;
 }
 
-bool Supervisor::copy_tile(const Rect& rect) {
-  Film& film = job_->film();
-  for (std::uint32_t y = rect.y; y < rect.y + rect.height; ++y) {
-    const std::uint64_t offset = (std::uint64_t{y} * film.width() + rect.x) * Film::pixel_bytes;
-    if (!worker_->read_film(offset, film.at(rect.x, y), rect.width * Film::pixel_bytes)) {
-      return false;
-    }
-  }
-  return true;
-}
-
 void Supervisor::on_factors(const v1::FactorsPiece& piece) {
   std::optional<std::uint32_t> index;
   if (piece.has_tile()) {
@@ -272,7 +261,7 @@ void Supervisor::on_tile(const v1::TileDone& tile) {
   if (!index || *index > batch_last_ || job_->tile_done(*index)) {
     return distrust("sent a tile that was not asked for");
   }
-  if (!copy_tile(to_rect(tile.tile()))) return distrust("truncated the shared memory");
+  job_->film().take(to_rect(tile.tile()), worker_->film());
   --batch_missing_;
   job_->add_tile(*index, tile.rays());
   ++queue_.counts().tiles[backend()];

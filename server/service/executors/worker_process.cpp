@@ -145,8 +145,9 @@ tl::expected<std::shared_ptr<WorkerProcess>, WorkerProcess::SpawnError> WorkerPr
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair.data()) != 0) return failed(errno);
   Descriptor ours(pair[0]);
   Descriptor theirs(pair[1]);
-  Descriptor film(::memfd_create("metamer-film", MFD_CLOEXEC));
+  Descriptor film(::memfd_create("metamer-film", MFD_CLOEXEC | MFD_ALLOW_SEALING));
   if (film.get() < 0 || ours.get() < 0 || theirs.get() < 0) return failed(errno);
+  if (::fcntl(film.get(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_SEAL) != 0) return failed(errno);
 
   pid_t pid = -1;
   if (const int error = start(command, theirs.get(), film.get(), pid); error != 0) {
@@ -189,6 +190,7 @@ WorkerProcess::WorkerProcess(pid_t pid, asio::posix::stream_descriptor exit, int
 
 WorkerProcess::~WorkerProcess() {
   abandon();
+  unmap_film();
   ::close(film_);
 }
 
@@ -284,26 +286,27 @@ bool WorkerProcess::ran_out_of_memory(bool kernel) const {
 }
 
 bool WorkerProcess::size_film(std::uint64_t bytes) {
-  return ::ftruncate(film_, 0) == 0 && ::ftruncate(film_, static_cast<off_t>(bytes)) == 0;
+  release_film();
+  const off_t size = ::lseek(film_, 0, SEEK_END);
+  if (static_cast<std::uint64_t>(size) < bytes &&
+      ::ftruncate(film_, static_cast<off_t>(bytes)) != 0)
+    return false;
+  void* const memory = ::mmap(nullptr, bytes, PROT_READ, MAP_SHARED, film_, 0);
+  if (memory == MAP_FAILED) return false;
+  mapped_ = memory;
+  mapped_bytes_ = bytes;
+  return true;
+}
+
+void WorkerProcess::unmap_film() {
+  if (mapped_) ::munmap(std::exchange(mapped_, nullptr), mapped_bytes_);
 }
 
 void WorkerProcess::release_film() {
+  unmap_film();
   const off_t size = ::lseek(film_, 0, SEEK_END);
-  // A hole, and not a shorter file: the worker may still have all of it mapped.
+  // A hole: it can't become shorter, and the worker may still have all of it mapped.
   if (size > 0) ::fallocate(film_, FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, 0, size);
-}
-
-bool WorkerProcess::read_film(std::uint64_t offset, void* to, std::size_t bytes) const {
-  auto* next = static_cast<char*>(to);
-  while (bytes > 0) {
-    const ssize_t got = ::pread(film_, next, bytes, static_cast<off_t>(offset));
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    next += got;
-    offset += static_cast<std::uint64_t>(got);
-    bytes -= static_cast<std::size_t>(got);
-  }
-  return true;
 }
 
 bool WorkerProcess::write_film(std::uint64_t offset, const void* from, std::size_t bytes) {

@@ -54,13 +54,14 @@ class WorkerProcess : public std::enable_shared_from_this<WorkerProcess> {
   pid_t pid() const { return pid_; }
   void send(v1::WorkerEnvelope message);
 
-  /// Makes the shared memory `bytes` long and zero. False when the system refuses.
+  /// Gives the worker `bytes` of shared memory, all zero, and maps them here. False when the system
+  /// refuses.
   bool size_film(std::uint64_t bytes);
   /// Gives the memory's pages back to the system.
   void release_film();
-  /// Copies from the shared memory. False when it is shorter than that. By reading, not by mapping:
-  /// a worker that truncates the memory would end the daemon with SIGBUS.
-  bool read_film(std::uint64_t offset, void* to, std::size_t bytes) const;
+  /// The bytes of size_film(), until release_film(). The worker may write there at any time, but
+  /// can't make them fewer (F_SEAL_SHRINK), which would end the daemon with SIGBUS.
+  const char* film() const { return static_cast<const char*>(mapped_); }
   /// Copies into it. False when the system refuses.
   bool write_film(std::uint64_t offset, const void* from, std::size_t bytes);
 
@@ -83,9 +84,12 @@ class WorkerProcess : public std::enable_shared_from_this<WorkerProcess> {
   asio::awaitable<void> write_messages();
   asio::awaitable<void> await_exit();
   void report_if_over();
+  void unmap_film();
 
   pid_t pid_;
   int film_;
+  void* mapped_ = nullptr;  // of film_
+  std::size_t mapped_bytes_ = 0;
   asio::posix::stream_descriptor exit_;  // a pidfd: readable once the process has ended
   wire::Channel channel_;
   Handlers handlers_;

@@ -23,6 +23,12 @@ std::string Film::copy(const Rect& rect) const {
   return bytes;
 }
 
+void Film::take(const Rect& rect, const char* picture) {
+  for (std::uint32_t y = rect.y; y < rect.y + rect.height; ++y)
+    std::memcpy(at(rect.x, y), picture + (std::size_t{y} * width_ + rect.x) * pixel_bytes,
+                rect.width * pixel_bytes);
+}
+
 void Film::paste(const Rect& rect, std::string_view bytes) {
   assert(bytes.size() == std::size_t{rect.width} * rect.height * pixel_bytes);
   for (std::uint32_t row = 0; row < rect.height; ++row) {

@@ -33,6 +33,8 @@ class Film {
   /// The pixels of a rectangle as a Tile carries them.
   std::string copy(const Rect& rect) const;
 
+  /// Takes them out of another picture of the same size.
+  void take(const Rect& rect, const char* picture);
   /// Takes them: as many bytes as the rectangle has.
   void paste(const Rect& rect, std::string_view bytes);
 

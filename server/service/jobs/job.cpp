@@ -247,6 +247,7 @@ void Job::append(v1::JobEvent event) {
 void Job::append_last(v1::JobEvent event) {
   assets_.clear();
   preview_ = PreviewSums();
+  unseen_tiles_ = {};
   log_.append_last(std::move(event), seconds());
   ended_at_ = wall_clock();
   put(true);

@@ -175,6 +175,7 @@ class Job : public std::enable_shared_from_this<Job> {
   void append_planned(const v1::Plan& plan);
   void note_numbers(const v1::Plan& plan);
   void append_progress(std::uint32_t verified = 0);
+  void add_preview();
   void wake();
   v1::JobEvent queued_event(std::uint32_t ahead, const std::string& reason = {}) const;
   v1::JobRecord record() const;
@@ -216,7 +217,8 @@ class Job : public std::enable_shared_from_this<Job> {
   TileGrid grid_;
   Film film_;
   PreviewSums preview_;
-  std::vector<bool> done_;  // by tile
+  std::vector<std::uint32_t> unseen_tiles_;  // that are not in it yet, as nobody has asked
+  std::vector<bool> done_;                   // by tile
   std::string scene_factors_;
   std::vector<std::string> factors_;  // by tile, where the job keeps them
   std::uint64_t factor_bytes_ = 0;

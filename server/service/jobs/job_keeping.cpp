@@ -218,6 +218,7 @@ void Job::write_all_tiles() {
 void Job::void_tiles() {
   done_.assign(grid_.size(), false);
   tiles_done_ = 0;
+  unseen_tiles_.clear();
   if (!store_) return;
   on_disk_->forget();
   store_->cut_tiles(id_, on_disk_->size());
@@ -324,6 +325,7 @@ bool Job::go_on(const std::string& build, std::uint32_t ahead) {
 /// rendered again.
 bool Job::load_film() {
   preview_ = PreviewSums(width_, height_);
+  unseen_tiles_.clear();
   film_ = Film(width_, height_);
   if (!film_.ok()) return false;
   if (submit_.keep_factors()) factors_.resize(grid_.size());
@@ -336,7 +338,7 @@ bool Job::load_film() {
       continue;
     }
     film_.paste(rect, contents->xyz);
-    preview_.add(film_, rect);
+    unseen_tiles_.push_back(index);
     if (submit_.keep_factors()) {
       factor_bytes_ += contents->factors.size();
       factors_[index] = std::move(contents->factors);

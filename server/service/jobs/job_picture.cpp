@@ -97,6 +97,7 @@ bool Job::make_film() {
   if (film_.ok()) return true;
   if (tiles_done_ > 0) return load_film();
   preview_ = PreviewSums(width_, height_);
+  unseen_tiles_.clear();
   done_.assign(grid_.size(), false);
   film_ = Film(width_, height_);
   return film_.ok();
@@ -130,7 +131,7 @@ void Job::add_tile(std::uint32_t index, std::uint64_t rays) {
   ++tiles_done_;
   ++attempt_tiles_;
   rays_ += rays;
-  preview_.add(film_, grid_.rect(index));
+  unseen_tiles_.push_back(index);
   log_.append_tile(index, seconds());
   if (store_)
     write_tile({.tile = index, .sequence = log_.last_sequence(), .rays = rays, .time = seconds()});
@@ -143,11 +144,24 @@ void Job::add_tile(std::uint32_t index, std::uint64_t rays) {
   }
   if (preview_watchers_ > 0 && (now >= next_preview_ || tiles_done_ == grid_.size())) {
     next_preview_ = now + progress_interval;
-    v1::JobEvent event;
-    *event.mutable_preview() = preview_.encode();
-    log_.replace_preview(std::move(event), seconds());
+    add_preview();
   }
   wake();
+}
+
+/// Of the tiles so far; after so many that nobody has watched, of some of these at a time.
+void Job::add_preview() {
+  constexpr std::size_t most_pixels = 4u << 20;  // 10 ms
+  const std::size_t most_tiles = most_pixels / (std::size_t{tile_size_} * tile_size_);
+  std::size_t added = 0;
+  while (!unseen_tiles_.empty() && (added < most_tiles || tiles_done_ == grid_.size())) {
+    preview_.add(film_, grid_.rect(unseen_tiles_.back()));
+    unseen_tiles_.pop_back();
+    ++added;
+  }
+  v1::JobEvent event;
+  *event.mutable_preview() = preview_.encode();
+  log_.replace_preview(std::move(event), seconds());
 }
 
 void Job::add_verified(std::uint32_t tiles) {

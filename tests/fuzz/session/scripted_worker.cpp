@@ -119,7 +119,10 @@ WorkerProcess::WorkerProcess(pid_t pid, asio::posix::stream_descriptor exit, int
       unsent_signal_(channel_.executor()),
       grace_(channel_.executor()) {}
 
-WorkerProcess::~WorkerProcess() { abandon(); }
+WorkerProcess::~WorkerProcess() {
+  abandon();
+  unmap_film();
+}
 
 tl::expected<std::shared_ptr<WorkerProcess>, WorkerProcess::SpawnError> WorkerProcess::spawn(
     const asio::any_io_executor& executor, const WorkerCommand& command, Handlers handlers) {
@@ -142,22 +145,19 @@ void WorkerProcess::send(v1::WorkerEnvelope message) {
 }
 
 bool WorkerProcess::size_film(std::uint64_t bytes) {
-  if (fuzz::Worker* worker = state_of(this)) worker->film_bytes = bytes;
+  release_film();
+  mapped_ = ::operator new(bytes);
+  mapped_bytes_ = bytes;
+  std::fill_n(static_cast<char*>(mapped_), bytes, char{0x3f});
   return true;
 }
 
-void WorkerProcess::release_film() {}
+void WorkerProcess::release_film() { unmap_film(); }
 
-bool WorkerProcess::read_film(std::uint64_t offset, void* to, std::size_t bytes) const {
-  const fuzz::Worker* worker = state_of(this);
-  if (!worker || offset + bytes > worker->film_bytes) return false;
-  std::fill_n(static_cast<char*>(to), bytes, char{0x3f});
-  return true;
-}
+void WorkerProcess::unmap_film() { ::operator delete(std::exchange(mapped_, nullptr)); }
 
 bool WorkerProcess::write_film(std::uint64_t offset, const void*, std::size_t bytes) {
-  const fuzz::Worker* worker = state_of(this);
-  return worker && offset + bytes <= worker->film_bytes;
+  return offset + bytes <= mapped_bytes_;
 }
 
 bool WorkerProcess::ran_out_of_memory(bool) const { return false; }

@@ -136,10 +136,8 @@ class Job {
       stopped_ = stopped_ || stop_waits();
       if (stopped_) break;
       paint(static_cast<float*>(memory), tile);
-      const bool shrinks = due("shrink");
-      if (shrinks && ::ftruncate(film, 0) != 0) std::abort();
+      if (due("shrink") && (::ftruncate(film, 0) == 0 || errno != EPERM)) std::abort();
       tile_done(tile);
-      while (shrinks) ::pause();
     }
     if (!stopped_) trouble();
     const bool verifies = script_.has("verify") && request.last();
@@ -340,12 +338,12 @@ int run(const fs::path& store) {
         say_damaged((*message)->job_id(), scene);
         continue;
       }
+      job.emplace((*message)->job_id(), script, store);
+      job->plan((*message)->compile_job());
     } else if ((*message)->has_open_view()) {
       const v1::WorkerView& view = (*message)->open_view();
       const Script script = parse(read_file(store / hex(view.open().scene_sha256())));
       if (script.has("shown")) show(view.view_id(), script);
-      job.emplace((*message)->job_id(), script, store);
-      job->plan((*message)->compile_job());
     } else if ((*message)->has_render_tiles() && job) {
       job->render((*message)->render_tiles());
     }

@@ -22,7 +22,7 @@ namespace metamer::service::test {
 ///     garbage N       after N tiles send bytes that are no frame
 ///     stray           send a tile that is none of the job's
 ///     early           say JobDone before the last tile
-///     shrink          truncate the shared memory before the first TileDone
+///     shrink          try to truncate the shared memory before the first TileDone
 ///     stages          say what is being prepared, and when it is there
 ///     prepared N      after N tiles say that all is prepared
 ///     preparing N     after N tiles say that more is

@@ -75,7 +75,6 @@ constexpr Trouble troubles[] = {
      "sent a frame that can't be read: the frame's length is over the limit"},
     {"sends_a_tile_of_nothing", "stray", "sent a tile that was not asked for"},
     {"says_done_too_early", "early", "said that a job is done which is not"},
-    {"truncates_the_memory", "shrink", "truncated the shared memory"},
 };
 
 }  // namespace
@@ -86,6 +85,13 @@ TEST_P(WorkerTrouble, OnceIsMadeGood) {
   EXPECT_EQ(story.retries[0], std::string("the worker was lost: ") + GetParam().reason);
   EXPECT_TRUE(story.end.has_finished()) << story.end.ShortDebugString();
   EXPECT_EQ(story.tiles, 12);  // each of them once
+}
+
+TEST(AWorker, CantShrinkTheMemoryThatTheDaemonReads) {
+  Daemon daemon;
+  Client client(daemon.socket());
+  client.hello();
+  EXPECT_TRUE(follow(client, client.submit("shrink")).end.has_finished());
 }
 
 TEST_P(WorkerTrouble, ThriceFailsTheJobAndTheNextOneRenders) {
