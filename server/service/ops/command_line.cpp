@@ -164,7 +164,7 @@ std::vector<std::string> cautions(const Settings& settings) {
   if (!settings.state.empty() && !unknown && disk.capacity < most)
     found.push_back(fmt::format(
         "store-bytes and keep-bytes come to {} MiB, and the disk of {} has {} MiB: once it is "
-        "full, jobs are refused before old files make room",
+        "full, assets that nobody holds make room and old pictures do not: jobs are refused",
         most >> 20, settings.state, disk.capacity >> 20));
   return found;
 }
