@@ -46,7 +46,8 @@ void declare_overrides(Overrides& overrides, Options& options) {
   };
   add("--look", &overrides.look,
       "one of the scene's looks, by its name; other options come after it");
-  add("--backend", &overrides.backend, "cpu, a ray tracer, or gl: OpenGL, without mirrors");
+  add("--backend", &overrides.backend,
+      "cpu, a ray tracer, or gl: OpenGL, without mirrors and refraction");
   add("--method", &overrides.method, "how colour is carried: " + method_words() + " or auto");
   add("--samples", &overrides.samples, "point at FROM:TO:STEP nm, such as 400:700:5");
   add("--wavelengths", &overrides.wavelengths, "point at these nm, such as 400,436,546,700");
@@ -65,7 +66,7 @@ void declare_overrides(Overrides& overrides, Options& options) {
       "draw the whole picture again by the reference and say how far each pixel is off");
   add("--size", &overrides.size, "WIDTHxHEIGHT in pixels");
   add("--spp", &overrides.spp, "samples per pixel");
-  add("--depth", &overrides.depth, "mirror reflections that a path may take");
+  add("--depth", &overrides.depth, "mirror reflections and refractions that a path may take");
   add("--observer", &overrides.observer, observer_meaning);
   add("--shading", &overrides.shading,
       "phong, constant, gouraud or quadratic, where an object has none");

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "client/relight/scene_sources.h"
+#include "common/scene/absorption_table.h"
 #include "common/spectral/observer.h"
 #include "common/transport/factor_kinds.h"
 #include "common/transport/message_tables.h"
@@ -15,6 +16,11 @@ bool is_spectrum(const v1::SampledSpectrum& spectrum) {
   return make_spectrum({spectrum.nm().begin(), spectrum.nm().end()},
                        {spectrum.values().begin(), spectrum.values().end()})
       .has_value();
+}
+
+/// One that absorbs something somewhere.
+bool is_transmittance(const v1::SampledSpectrum& spectrum) {
+  return is_spectrum(spectrum) && optical_depth(to_spectrum(spectrum)) > 0;
 }
 
 /// What is wrong with a factor; empty: nothing.
@@ -54,9 +60,12 @@ std::string scene_fault(const v1::SceneFactors& scene) {
     const auto& constants = material.constants();
     if (!is_spectrum(material.diffuse()) || !is_spectrum(material.specular()) ||
         (material.has_constants() && !is_spectrum(constants.n())) ||
+        (material.has_transmittance() && !is_transmittance(material.transmittance())) ||
         (constants.has_k() && !is_spectrum(constants.k())))
       return "material \"" + material.name() + "\" has no sound spectrum";
   }
+  for (const auto& interface : scene.interface())
+    if (!is_spectrum(interface.n())) return "an interface has no sound spectrum";
   return observer_fault_in(scene);
 }
 

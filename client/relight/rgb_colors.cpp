@@ -22,10 +22,12 @@ std::vector<double> corners_of(const FactorSources& sources) {
   for (const FactorSources::Material& material : sources.materials) {
     spectra.push_back(material.diffuse);
     spectra.push_back(material.specular);
+    if (material.transmittance != nullptr) spectra.push_back(material.transmittance);
     if (material.constants == nullptr) continue;
     spectra.push_back(&material.constants->n);
     if (!material.constants->k.nm.empty()) spectra.push_back(&material.constants->k);
   }
+  for (const OpticalConstants* interface : sources.interfaces) spectra.push_back(&interface->n);
   return cell_edges(spectra);
 }
 

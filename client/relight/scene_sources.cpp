@@ -15,7 +15,12 @@ SceneSources::SceneSources(const v1::SceneFactors& scene) {
     if (from.has_constants())
       material.constants = &constants_.emplace_back(
           OpticalConstants{to_spectrum(from.constants().n()), to_spectrum(from.constants().k())});
+    if (from.has_transmittance())
+      material.transmittance = &spectra_.emplace_back(to_spectrum(from.transmittance()));
   }
+  for (const v1::SampledConstants& from : scene.interface())
+    factors_.interfaces.push_back(
+        &constants_.emplace_back(OpticalConstants{to_spectrum(from.n()), {}}));
 }
 
 }  // namespace metamer::client

@@ -22,6 +22,7 @@ void check_material(const v1::Material& material, const std::string& field, Find
   check_reflection(material, field, findings);
   if (material.has_texture()) check_texture(material.texture(), field + ".texture", findings);
   if (material.has_fresnel()) check_fresnel(material.fresnel(), field + ".fresnel", findings);
+  if (material.has_transmission()) check_transmission(material, field + ".transmission", findings);
 }
 
 }  // namespace metamer

@@ -85,8 +85,9 @@ void check_reflection(const v1::Material& material, const std::string& field, Fi
   };
   use(!material.slope().empty(), models::has_facets, "slope");
   use(material.has_attenuation(), models::has_facets, "attenuation");
-  // The mirror has a Fresnel term, whatever the model.
-  use(material.has_fresnel() && material.mirror() == 0, models::has_fresnel, "fresnel");
+  // A mirror and a clear surface have a Fresnel term, whatever the model.
+  use(material.has_fresnel() && material.mirror() == 0 && !material.has_transmission(),
+      models::has_fresnel, "fresnel");
   use(material.has_diffuseness(), models::weighted, "diffuseness");
   use(material.has_specularness(), models::highlighted, "specularness");
   // The mirror has a colour, whatever the model.

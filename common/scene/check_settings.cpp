@@ -61,6 +61,7 @@ void check_settings(const v1::Settings& settings, const std::string& field, Find
   check_development(full.development(), field + ".development", findings);
   check_range(full.spp(), 1, limits::max_spp, field + ".spp", findings);
   check_range(full.depth(), 0, limits::max_depth, field + ".depth", findings);
+  check_range(full.cutoff(), limits::min_cutoff, 1, field + ".cutoff", findings);
   check_range(full.threads(), 0, limits::max_threads, field + ".threads", findings);
   if (full.tile_size() % 8 != 0 || full.tile_size() < 8 || full.tile_size() > limits::max_tile) {
     const std::uint32_t within = std::clamp<std::uint32_t>(full.tile_size(), 8, limits::max_tile);

@@ -5,7 +5,7 @@ namespace metamer {
 std::span<const char* const> feature_names() {
   static constexpr const char* names[] = {"mirrors",        "exact_fresnel", "anisotropy",
                                           "corner_shading", "factors",       "textures",
-                                          "multi_pass"};
+                                          "multi_pass",     "transmission"};
   return names;
 }
 

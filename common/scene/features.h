@@ -15,6 +15,7 @@ enum class Feature : std::uint8_t {
   factors,         ///< What pixels are made of before any spectrum, kept for relighting.
   textures,        ///< Pictures on surfaces.
   multi_pass,      ///< `point` by four wavelengths at a time.
+  transmission,    ///< Light that is refracted, and absorbed on its way.
 };
 
 /// Feature by feature, in the order of the enumeration: its name, as on the wire.
@@ -31,7 +32,7 @@ class Features {
   }
   static constexpr Features all() {
     Features set{};
-    set.bits_ = bit(Feature::multi_pass) * 2 - 1;
+    set.bits_ = bit(Feature::transmission) * 2 - 1;
     return set;
   }
 

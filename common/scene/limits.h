@@ -10,7 +10,7 @@ inline constexpr std::uint32_t max_side = 16384;            ///< Pixels; the lar
 inline constexpr std::uint64_t max_pixels = 256u << 20;     ///< A square of them: 3 GiB of XYZ.
 inline constexpr std::uint64_t max_view_pixels = 4u << 20;  ///< 12 MiB a frame; 2560 × 1600.
 inline constexpr std::uint32_t max_spp = 1024;              ///< A minute a tile is not a preview.
-inline constexpr std::uint32_t max_depth = 32;              ///< 0.9³² = 3 %: nothing more to see.
+inline constexpr std::uint32_t max_depth = 64;  ///< 0.9⁶⁴ = 0.1 %: nothing more to see.
 inline constexpr std::uint32_t max_threads = 256;
 inline constexpr std::uint32_t max_bases = 16;   ///< Beyond, point sampling is cheaper and exact.
 inline constexpr std::uint32_t max_fitted = 64;  ///< Beyond, uniform wavelengths do as well.
@@ -18,6 +18,11 @@ inline constexpr std::uint32_t max_tile = 256;   ///< 768 KiB of XYZ: one frame.
 inline constexpr std::size_t max_lights = 256;   ///< Each costs a shadow ray per sample.
 inline constexpr double min_luminance = 1e-30;   ///< Products with it are still whole in f32,
 inline constexpr double max_luminance = 1e30;    ///< and these finite.
+inline constexpr double min_cutoff = 1e-6;       ///< Of a sample's paths at most 1e6 are alive.
+inline constexpr double min_thickness = 1e-9;    ///< metres, of a measured transmittance.
+inline constexpr double max_thickness = 1e9;
+inline constexpr int max_priority = 1'000'000;
+inline constexpr std::size_t max_interfaces = 64;   ///< × 1,024 rows of a method's tables.
 inline constexpr std::size_t max_materials = 4096;  ///< × 2 spectra × 4,001 × 4 B = 131 MB.
 inline constexpr int max_texture_spectra = 32;      ///< A press has 8 inks, a palette a few more.
 /// Pixels × spectra of a texture's picture: 128 MiB, and a third more with its smaller copies.

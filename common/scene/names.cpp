@@ -66,6 +66,9 @@ void for_each_spectrum(
     const v1::Conductor& conductor = material.fresnel().conductor();
     if (conductor.has_n()) visit(conductor.n(), below + "conductor.n", SpectrumRole::index);
     if (conductor.has_k()) visit(conductor.k(), below + "conductor.k", SpectrumRole::extinction);
+    if (material.transmission().has_transmittance())
+      visit(material.transmission().transmittance(), field + ".transmission.transmittance",
+            SpectrumRole::property);
   }
   for (int i = 0; i < scene.look_size(); ++i)
     for_each_spectrum(scene.look(i), indexed("look", static_cast<std::size_t>(i)), visit);

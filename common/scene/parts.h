@@ -16,6 +16,7 @@ void check_material(const v1::Material& material, const std::string& field, Find
 void check_reflection(const v1::Material& material, const std::string& field, Findings& findings);
 void check_fresnel(const v1::Fresnel& fresnel, const std::string& field, Findings& findings);
 void check_texture(const v1::Texture& texture, const std::string& field, Findings& findings);
+void check_transmission(const v1::Material& material, const std::string& field, Findings& findings);
 void check_object(const v1::Object& object, const std::string& field, Findings& findings);
 void check_transforms(const v1::Object& object, const std::string& field, Findings& findings);
 void check_development(const v1::Development& development, const std::string& field,

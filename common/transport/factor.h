@@ -15,7 +15,7 @@ enum class FactorKind : std::uint8_t {
 /// the `node`-th of the table of a kind's `index`-th member. White and spectra have one node.
 struct FactorNode {
   FactorKind kind;
-  std::uint32_t index;  ///< What of the scene: of white 0, else a material.
+  std::uint32_t index;  ///< What of the scene: of white 0, an interface, else a material.
   std::uint32_t node;
 
   friend auto operator<=>(const FactorNode&, const FactorNode&) = default;
@@ -26,7 +26,9 @@ struct FactorNode {
 struct Factor {
   FactorKind kind;
   std::uint32_t index;
-  float at;  ///< Of `specular` and `fresnel`, the cosine of incidence in 0..1; else not used.
+  /// Of `specular` and `fresnel`, the cosine of incidence in 0..1; of `reflect` and `transmit` that
+  /// on the rarer side; of `absorb` the strongest wavelength's optical depth; else not used.
+  float at;
 
   friend bool operator==(const Factor&, const Factor&) = default;
 };

@@ -13,9 +13,12 @@ struct FactorSources {
   struct Material {
     const Spectrum* diffuse;
     const Spectrum* specular;
-    const OpticalConstants* constants;  ///< Null where its Fresnel term is not exact.
+    const OpticalConstants* constants;        ///< Null where its Fresnel term is not exact.
+    const Spectrum* transmittance = nullptr;  ///< Null where it absorbs nothing.
   };
   std::vector<Material> materials;
+  /// Where two media touch: n of the denser one (at the d line) by that of the other. No k.
+  std::vector<const OpticalConstants*> interfaces;
 };
 
 }  // namespace metamer

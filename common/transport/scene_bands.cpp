@@ -20,14 +20,17 @@ struct Parts {
   std::vector<const Spectrum*> surfaces;  ///< What is a line between its samples.
   std::vector<const Spectrum*> all;
 
-  /// The last node, and two more: of a Fresnel term, light at right angles, and cosines of 0.4,
-  /// 0.1.
+  /// Those that the table says, or the last node and two more: of a Fresnel term, light at right
+  /// angles, and cosines of 0.4, 0.1.
   template <class Table>
   void add_nodes(const auto& source) {
     const std::vector<double> nm = dense_nm(spectra_of(source));
     const FactorTable table = Table::make(source, nm);
-    for (const double share : {1.0, 0.63, 0.32})
-      curves.push_back({nm, table(static_cast<std::uint32_t>(share * (Table::nodes - 1)))});
+    if constexpr (requires { Table::typical(source); })
+      for (const std::uint32_t node : Table::typical(source)) curves.push_back({nm, table(node)});
+    else
+      for (const double share : {1.0, 0.63, 0.32})
+        curves.push_back({nm, table(static_cast<std::uint32_t>(share * (Table::nodes - 1)))});
   }
 };
 

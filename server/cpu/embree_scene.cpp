@@ -44,6 +44,27 @@ RTCIntersectContext coherent_context() {
   return context;
 }
 
+/// Embree hands its first member on.
+struct PassingContext {
+  RTCIntersectContext embree;
+  const Passed* passed;
+};
+
+void leave_out_passed(const RTCFilterFunctionNArguments* arguments) {
+  const Passed& passed = *reinterpret_cast<const PassingContext*>(arguments->context)->passed;
+  for (unsigned i = 0; i < arguments->N; ++i) {
+    if (arguments->valid[i] == 0) continue;
+    const unsigned instance = RTCHitN_instID(arguments->hit, arguments->N, i, 0);
+    const unsigned object = instance != RTC_INVALID_GEOMETRY_ID
+                                ? instance
+                                : RTCHitN_geomID(arguments->hit, arguments->N, i);
+    const unsigned primitive = RTCHitN_primID(arguments->hit, arguments->N, i);
+    if (passed.has(RTCRayN_id(arguments->ray, arguments->N, i), static_cast<int>(object),
+                   static_cast<int>(primitive)))
+      arguments->valid[i] = 0;
+  }
+}
+
 std::array<float, 3> to_array(const Eigen::Vector3d& v) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
@@ -127,8 +148,10 @@ std::optional<EmbreeScene> EmbreeScene::build(const RenderScene& scene,
   EmbreeScene result;
   result.device_.reset(rtcNewDevice("tessellation_cache_size=0"));
   const RTCDevice device = result.device_.get();
+  // Then it is looked with every hit whether it counts.
+  result.passed_ = !scene.media.empty();
   const auto new_scene = [&] {
-    RTCScene handle = rtcNewScene(device);
+    RTCScene handle = result.empty_scene();
     rtcSetSceneProgressMonitorFunction(handle, keep_building,
                                        const_cast<std::atomic<bool>*>(&cancelled));
     return SceneHandle(handle);
@@ -184,6 +207,12 @@ std::optional<EmbreeScene> EmbreeScene::build(const RenderScene& scene,
   return result;
 }
 
+RTCScene EmbreeScene::empty_scene() const {
+  RTCScene scene = rtcNewScene(device_.get());
+  if (passed_) rtcSetSceneFlags(scene, RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+  return scene;
+}
+
 /// Gives the newest of the placed objects its geometry.
 void EmbreeScene::attach(RTCGeometry geometry) {
   rtcCommitGeometry(geometry);
@@ -215,7 +244,7 @@ void EmbreeScene::add_sphere(const RenderObject& object) {
     return;
   }
   // An ellipsoid is an instance of a sphere of about its size.
-  RTCScene ball = rtcNewScene(device_.get());
+  RTCScene ball = empty_scene();
   RTCGeometry geometry = sphere(Eigen::Vector3d::Zero(), std::ldexp(1.0, exponent));
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(ball, geometry);
@@ -255,8 +284,29 @@ Hits EmbreeScene::intersect(const Vec8& origin, const Vec8& direction, Int8 acti
   store(valid, sound);
   RTCIntersectContext context = coherent_context();
   rtcIntersect8(valid, scene_.get(), &context, &rays);
+  return read(rays, direction, sound);
+}
 
-  // Read what was hit.
+Hits EmbreeScene::intersect_others(const Vec8& origin, const Vec8& direction, Float8 length,
+                                   Int8 active, const Passed& passed) const {
+  RTCRayHit8 rays;
+  fill(rays.ray, origin, direction, length);
+  for (unsigned i = 0; i < lane_count; ++i) {
+    rays.ray.id[i] = i;
+    rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  alignas(32) int valid[lane_count];
+  const Int8 sound = active & finite(origin, direction) & (length >= 0.0f);
+  store(valid, sound);
+  PassingContext context{coherent_context(), &passed};
+  context.embree.filter = leave_out_passed;
+  rtcIntersect8(valid, scene_.get(), &context.embree, &rays);
+  return read(rays, direction, sound);
+}
+
+/// What was hit.
+Hits EmbreeScene::read(const RTCRayHit8& rays, const Vec8& direction, Int8 sound) const {
   Hits hits;
   hits.hit = sound & (load(rays.hit.geomID) != static_cast<int>(RTC_INVALID_GEOMETRY_ID));
   hits.distance = load(rays.ray.tfar);
@@ -271,6 +321,7 @@ Hits EmbreeScene::intersect(const Vec8& origin, const Vec8& direction, Int8 acti
   hits.geometric_normal = shared::unit(hits.geometric_normal);
   hits.normal = shared::unit(hits.normal);
   const Int8 from_behind = dot(hits.geometric_normal, direction) > 0.0f;
+  hits.behind = from_behind & hits.hit;
   hits.geometric_normal =
       select(from_behind, hits.geometric_normal * broadcast(-1), hits.geometric_normal);
   const Int8 opposed = dot(hits.normal, hits.geometric_normal) < 0.0f;

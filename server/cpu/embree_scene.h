@@ -26,6 +26,27 @@ struct Hits {
   Int8 primitive{};       ///< The triangle of that object.
   Float8 u{}, v{};        ///< Barycentric, of its second and third corner.
   Int8 interpolated{};    ///< Mask: the object's shading is not PHONG.
+  Int8 behind{};          ///< Mask: the ray met the back of the surface, by Embree's normal.
+};
+
+/// Surfaces that eight rays have passed, a few for each: objects and primitives.
+class Passed {
+ public:
+  static constexpr std::size_t most = 8;
+
+  /// Of one more than `most` nothing is kept.
+  void add(unsigned lane, int object, int primitive) {
+    if (count_[lane] < most) surfaces_[lane][count_[lane]++] = {object, primitive};
+  }
+  bool has(unsigned lane, int object, int primitive) const {
+    for (std::size_t i = 0; i < count_[lane]; ++i)
+      if (surfaces_[lane][i] == std::pair(object, primitive)) return true;
+    return false;
+  }
+
+ private:
+  std::array<std::array<std::pair<int, int>, most>, lane_count> surfaces_{};
+  std::array<std::size_t, lane_count> count_{};
 };
 
 /// The geometry in Embree; refers to the scene that it was built from. An object whose mesh no
@@ -42,6 +63,11 @@ class EmbreeScene {
   /// not finite, hit nothing and never reach Embree (it would abort).
   Hits intersect(const Vec8& origin, const Vec8& direction, Int8 active) const;
 
+  /// The same of the segments origin + t direction, 0 < t < length, but for what they have passed;
+  /// in scenes with media.
+  Hits intersect_others(const Vec8& origin, const Vec8& direction, Float8 length, Int8 active,
+                        const Passed& passed) const;
+
   /// Which of the segments origin + t direction, 0 < t < length, are free. Inactive lanes and rays
   /// that are not finite are not.
   Int8 visible(const Vec8& origin, const Vec8& direction, Float8 length, Int8 active) const;
@@ -55,6 +81,8 @@ class EmbreeScene {
   /// coordinates in the triangle.
   SurfaceUv surface_uv(int object, int primitive, float u, float v,
                        const std::array<float, 3>& at) const;
+  /// Whether its triangles are turned as in its mesh's own space, whatever its map does.
+  bool is_instance(int object) const { return placed_[static_cast<std::size_t>(object)].instance; }
 
   RTCScene handle() const { return scene_.get(); }  ///< For benchmarks.
 
@@ -83,9 +111,11 @@ class EmbreeScene {
   };
 
   EmbreeScene() = default;
+  Hits read(const RTCRayHit8& rays, const Vec8& direction, Int8 sound) const;
   void add_placed(const RenderObject& object, const TriangleMesh& mesh);
   void add_sphere(const RenderObject& object);
   void add_instance(const RenderObject& object, RTCScene shared);
+  RTCScene empty_scene() const;
   void attach(RTCGeometry geometry);
   void shading_normal(const RTCRayHit8& rays, int lane, Hits& hits) const;
   std::array<float, 3> corner_tangent(const Placed& placed, std::uint32_t vertex) const;
@@ -97,6 +127,7 @@ class EmbreeScene {
   SceneHandle scene_;
   std::vector<Placed> placed_;
   bool tangents_ = false, interpolated_ = false;  ///< Whether any object asks for them.
+  bool passed_ = false;                           ///< Rays may leave out what they have passed.
 };
 
 }  // namespace metamer::cpu

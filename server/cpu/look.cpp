@@ -38,7 +38,11 @@ std::vector<double> light_on(const RenderScene& scene, const EmbreeScene& geomet
 Gather gather_middle(const RenderScene& scene, const EmbreeScene& geometry, const v1::Plan& plan,
                      std::uint32_t x, std::uint32_t y) {
   const Tracer tracer(scene, geometry,
-                      {plan.width(), plan.height(), plan.depth(), {SamplePoint{0.5f, 0.5f}}});
+                      {plan.width(),
+                       plan.height(),
+                       plan.depth(),
+                       {SamplePoint{0.5f, 0.5f}},
+                       static_cast<float>(plan.cutoff())});
   auto workspace = tracer.make_workspace();
   const std::uint32_t across = x % tracer.block_width(), down = y % tracer.block_height();
   tracer.gather_block(x - across, y - down, workspace);

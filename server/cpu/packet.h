@@ -9,6 +9,8 @@
 
 namespace metamer::cpu {
 
+class MediaStack;
+
 /// Eight rays on their way, and where their light goes.
 struct Packet {
   Vec8 origin{}, direction{};  ///< Directions are unit.
@@ -20,6 +22,8 @@ struct Packet {
   bool from_eye = true;                       ///< No mirror met yet.
   Vec8 hit{};                                 ///< Where the ray hit.
   Vec8 point{};                               ///< The same, lifted off the surface.
+  /// What each ray is in, where the scene has clear objects; else null.
+  const std::array<MediaStack, 8>* inside = nullptr;
 };
 
 /// A part of a lane's diffuse light that goes to another surface than its own.
@@ -36,6 +40,8 @@ struct Workspace {
   std::uint64_t rays = 0;                    ///< Camera, mirror and shadow rays since it was set.
   std::uint64_t evaluations = 0;             ///< Of models, eight points each.
   std::uint64_t timed_ticks = 0;             ///< What every timed_each-th of them took.
+  /// Of ray trees, since it was made: camera rays, and the weight of paths that ended too early.
+  double camera_rays = 0, beyond_depth = 0, below_cutoff = 0;
 };
 
 }  // namespace metamer::cpu

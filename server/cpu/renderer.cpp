@@ -57,9 +57,9 @@ class RayTracer : public Renderer {
     next_ = whole_ = 0;
     shares_.clear();
     shares_.resize(plan_->threads());
-    tracer_.emplace(
-        scene_, geometry_->embree(),
-        Tracer::Frame{picture_.film.width, picture_.film.height, plan_->depth(), picture_.samples});
+    tracer_.emplace(scene_, geometry_->embree(),
+                    Tracer::Frame{picture_.film.width, picture_.film.height, plan_->depth(),
+                                  picture_.samples, static_cast<float>(plan_->cutoff())});
   }
 
   /// Each thread takes the next tile, so that they are begun in the order that was asked for.
@@ -74,6 +74,15 @@ class RayTracer : public Renderer {
   void report(v1::Timing& timing) override {
     timing.set_models(static_cast<double>(model_ticks_) /
                       static_cast<double>(std::max<std::uint64_t>(ticks_, 1)));
+    double rays = 0, beyond_depth = 0, below_cutoff = 0;
+    for (const auto& share : shares_) {
+      if (!share) continue;
+      rays += share->workspace.camera_rays;
+      beyond_depth += share->workspace.beyond_depth;
+      below_cutoff += share->workspace.below_cutoff;
+    }
+    timing.set_beyond_depth(beyond_depth / std::max(rays, 1.0));
+    timing.set_below_cutoff(below_cutoff / std::max(rays, 1.0));
   }
 
   std::unique_ptr<Probe> make_probe() override { return std::make_unique<TracingProbe>(geometry_); }

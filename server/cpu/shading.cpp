@@ -1,5 +1,6 @@
 #include "server/cpu/shading.h"
 
+#include "server/cpu/clear_shadows.h"
 #include "server/cpu/shared_source.h"
 #include "server/cpu/ticks.h"
 #include "server/transport/expand.h"
@@ -43,9 +44,11 @@ void scale(models::Lobes<Float8>& lobes, Float8 factor) {
 
 }  // namespace
 
-Shading::Shading(const RenderScene& scene, const EmbreeScene& geometry, float footprint)
+Shading::Shading(const RenderScene& scene, const EmbreeScene& geometry, float footprint,
+                 const Media* media)
     : scene_(scene),
       geometry_(geometry),
+      media_(media),
       texturing_(scene, geometry, footprint),
       needed_(needed_angles(scene)) {
   for (const RenderLight& light : scene.lights) {
@@ -73,20 +76,43 @@ void Shading::shade(const Packet& packet, const Hits& hits, Workspace& workspace
     const Int8 shone = (light.weight > 0.0f) & (dot(hits.normal, light.direction) > 0.0f);
     const Int8 facing = packet.active & sound & (shone | hits.interpolated);
     Int8 lit{};
-    if (any(facing)) {
+    const Step step{packet, hits, places, static_cast<std::uint32_t>(l), workspace};
+    if (media_ != nullptr) {
+      shade_through(step, facing, ambient, light.direction, light.reach, light.weight);
+    } else if (any(facing)) {
       workspace.rays += static_cast<unsigned>(count(facing));
       lit = geometry_.visible(packet.point, light.direction, light.reach, facing);
     }
     const Int8 wanted = lit | (ambient & sound);
-    if (!any(wanted)) continue;
-
-    // Evaluate the models where they are asked for, and gather their lobes.
-    const Step step{packet, hits, places, static_cast<std::uint32_t>(l), workspace};
-    const Int8 between = lit & hits.interpolated;
-    Lobes lobes = evaluate_hits(step, wanted & ~between, lit, light.direction, light.weight);
-    if (any(between)) interpolate(step, between, lobes);
-    gather(step, lobes, wanted);
+    if (any(wanted)) reflect(step, lit, wanted, light.direction, light.weight);
   }
+}
+
+/// Evaluates the models where they are asked for, and gathers their lobes.
+void Shading::reflect(const Step& step, Int8 lit, Int8 wanted, const Vec8& to_light,
+                      Float8 weight) const {
+  const Int8 between = lit & step.hits.interpolated;
+  Lobes lobes = evaluate_hits(step, wanted & ~between, lit, to_light, weight);
+  if (any(between)) interpolate(step, between, lobes);
+  gather(step, lobes, wanted);
+}
+
+/// The same of lanes whose light comes through clear things, each over a chain of its own.
+void Shading::shade_through(const Step& step, Int8 lanes, Int8 ambient, const Vec8& to_light,
+                            Float8 reach, Float8 weight) const {
+  if (!any(lanes)) return;
+  Packet packet = step.packet;
+  packet.active = lanes;
+  light_through(*media_, geometry_, to_light, reach, packet, step.workspace);
+  if (!any(packet.active)) return;
+  std::vector<TextureShare> shares = std::move(step.workspace.texture_shares);
+  const Places places = find_places(packet, step.hits, step.workspace);
+  const Step through{packet, step.hits, places, step.light, step.workspace};
+  reflect(through, packet.active, packet.active, to_light, weight);
+  // What is reflected without any light has been gathered without anything on its way.
+  if (const Int8 unlit = ambient & packet.active; any(unlit))
+    reflect(through, Int8{}, unlit, to_light, weight * metamer::broadcast(-1));
+  step.workspace.texture_shares = std::move(shares);
 }
 
 /// Finds where each lane's light is gathered.

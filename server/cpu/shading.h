@@ -6,6 +6,7 @@
 
 #include "common/lights/registry.h"
 #include "server/cpu/embree_scene.h"
+#include "server/cpu/media.h"
 #include "server/cpu/packet.h"
 #include "server/cpu/texturing.h"
 #include "server/models/lanes.h"
@@ -16,8 +17,10 @@ namespace metamer::cpu {
 /// evaluates the models and gathers their lobes. Immutable, shared by threads.
 class Shading {
  public:
-  /// `footprint` as Texturing has it. The references must outlive it.
-  Shading(const RenderScene& scene, const EmbreeScene& geometry, float footprint);
+  /// `footprint` as Texturing has it. `media`: of a scene with clear objects, through which lights
+  /// shine; else null. The references must outlive it.
+  Shading(const RenderScene& scene, const EmbreeScene& geometry, float footprint,
+          const Media* media = nullptr);
 
   void shade(const Packet& packet, const Hits& hits, Workspace& workspace) const;
 
@@ -49,6 +52,9 @@ class Shading {
 
   Places find_places(const Packet& packet, const Hits& hits, Workspace& workspace) const;
   Int8 ambient_lanes(const Hits& hits, Int8 active) const;
+  void reflect(const Step& step, Int8 lit, Int8 wanted, const Vec8& to_light, Float8 weight) const;
+  void shade_through(const Step& step, Int8 lanes, Int8 ambient, const Vec8& to_light, Float8 reach,
+                     Float8 weight) const;
   Lobes evaluate(const RenderMaterial& material, const Angles& angles, Workspace& workspace) const;
   Lobes evaluate_hits(const Step& step, Int8 lanes, Int8 lit, const Vec8& to_light,
                       Float8 weight) const;
@@ -58,6 +64,7 @@ class Shading {
 
   const RenderScene& scene_;
   const EmbreeScene& geometry_;
+  const Media* media_;
   std::vector<Light> lights_;
   Texturing texturing_;
   NeededAngles needed_;

@@ -17,22 +17,31 @@ std::pair<std::uint32_t, std::uint32_t> block_size(std::size_t spp) {
   return {1, 1};
 }
 
+std::optional<Media> make_media(const RenderScene& scene, const EmbreeScene& geometry) {
+  if (scene.interfaces.empty()) return {};
+  return Media(scene, geometry);
+}
+
 }  // namespace
 
 Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const v1::Plan& plan)
     : Tracer(scene, geometry,
-             Frame{plan.width(), plan.height(), plan.depth(), sample_pattern(plan.spp())}) {}
+             Frame{plan.width(), plan.height(), plan.depth(), sample_pattern(plan.spp()),
+                   static_cast<float>(plan.cutoff())}) {}
 
 Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const Frame& frame)
     : scene_(scene),
       geometry_(geometry),
-      shading_(scene, geometry,
-               static_cast<float>(
-                   2 * scene.camera.tan_half_fov /
-                   (frame.height * std::sqrt(static_cast<double>(frame.samples.size()))))),
+      media_(make_media(scene, geometry)),
+      shading_(
+          scene, geometry,
+          static_cast<float>(2 * scene.camera.tan_half_fov /
+                             (frame.height * std::sqrt(static_cast<double>(frame.samples.size())))),
+          media_ ? &*media_ : nullptr),
       depth_(frame.depth),
       width_(frame.width),
       height_(frame.height) {
+  if (media_) tree_.emplace(scene, geometry, *media_, shading_, depth_, frame.cutoff);
   std::tie(block_width_, block_height_) = block_size(frame.samples.size());
   prepare_samples(frame.samples);
 
@@ -92,7 +101,10 @@ void Tracer::gather_block(std::uint32_t x, std::uint32_t y, Workspace& workspace
     packet.pixel = samples.pixel;
     packet.origin = eye_;
     packet.direction = shared::unit(corner_ + across_ * film_x + down_ * film_y);
-    trace(packet, workspace);
+    if (tree_)
+      tree_->trace(packet, workspace);
+    else
+      trace(packet, workspace);
   }
 }
 

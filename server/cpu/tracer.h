@@ -2,10 +2,13 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "metamer/v1/plan.pb.h"
 #include "server/cpu/embree_scene.h"
+#include "server/cpu/media.h"
+#include "server/cpu/ray_tree.h"
 #include "server/cpu/shading.h"
 #include "server/film/pixel_sink.h"
 #include "server/film/sample_pattern.h"
@@ -23,10 +26,13 @@ class Tracer {
     std::uint32_t width, height;       ///< Pixels.
     std::uint32_t depth;               ///< Mirrors that a path may meet.
     std::vector<SamplePoint> samples;  ///< Of each pixel; at least one.
+    float cutoff = 1e-3f;              ///< Of paths over clear surfaces.
   };
   /// The references must outlive the tracer.
   Tracer(const RenderScene& scene, const EmbreeScene& geometry, const Frame& frame);
   Tracer(const RenderScene& scene, const EmbreeScene& geometry, const v1::Plan& plan);
+
+  Tracer(const Tracer&) = delete;  // its parts refer to each other
 
   /// A thread's working memory.
   using Workspace = cpu::Workspace;
@@ -59,7 +65,9 @@ class Tracer {
 
   const RenderScene& scene_;
   const EmbreeScene& geometry_;
+  std::optional<Media> media_;  ///< Where the scene has clear objects.
   Shading shading_;
+  std::optional<RayTree> tree_;
   unsigned depth_;
   std::uint32_t width_, height_;
   std::uint32_t block_width_, block_height_;  ///< Pixels of a packet below eight samples; else 1×1.

@@ -13,6 +13,11 @@ void set_spectrum(const Spectrum& spectrum, v1::SampledSpectrum& to) {
   to.mutable_values()->Assign(spectrum.values.begin(), spectrum.values.end());
 }
 
+void set_constants(const OpticalConstants& constants, v1::SampledConstants& to) {
+  set_spectrum(constants.n, *to.mutable_n());
+  if (!constants.k.nm.empty()) set_spectrum(constants.k, *to.mutable_k());
+}
+
 }  // namespace
 
 FactorSink::FactorSink(PixelSink& next, std::uint32_t spp)
@@ -119,11 +124,14 @@ v1::SceneFactors scene_factors(const RenderScene& scene) {
     to.set_name(material.name);
     set_spectrum(scene.properties[material.diffuse], *to.mutable_diffuse());
     set_spectrum(scene.properties[material.specular], *to.mutable_specular());
-    if (material.fresnel != FresnelKind::exact) continue;
-    const OpticalConstants& constants = scene.constants[material.constants];
-    set_spectrum(constants.n, *to.mutable_constants()->mutable_n());
-    if (!constants.k.nm.empty()) set_spectrum(constants.k, *to.mutable_constants()->mutable_k());
+    if (absorbs(scene, material))
+      set_spectrum(scene.properties[scene.media[material.medium].transmittance],
+                   *to.mutable_transmittance());
+    if (material.fresnel == FresnelKind::exact)
+      set_constants(scene.constants[material.constants], *to.mutable_constants());
   }
+  for (const RenderInterface& interface : scene.interfaces)
+    set_constants(scene.constants[interface.constants], *factors.add_interface());
   return factors;
 }
 

@@ -12,7 +12,7 @@ namespace metamer::gl {
 std::unique_ptr<Backend> make_backend(Device& device, unsigned threads);
 
 /// What they have.
-inline constexpr Features features =
-    Features::all().without({Feature::mirrors, Feature::factors, Feature::textures});
+inline constexpr Features features = Features::all().without(
+    {Feature::mirrors, Feature::factors, Feature::textures, Feature::transmission});
 
 }  // namespace metamer::gl

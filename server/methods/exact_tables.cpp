@@ -9,6 +9,10 @@
 namespace metamer {
 namespace {
 
+/// Of chains over clear surfaces. Longer ones hold more than four reflections, of 4 % each, or
+/// many transmissions, which are nearly grey.
+constexpr std::uint32_t longest_probed = 12;
+
 SceneBands scene_bands(const RenderScene& scene, const Observer& observer, std::uint32_t depth) {
   std::set<std::pair<FactorKind, std::uint32_t>> mirrors;
   for (std::uint32_t i = 0; i < scene.materials.size(); ++i)
@@ -16,7 +20,10 @@ SceneBands scene_bands(const RenderScene& scene, const Observer& observer, std::
       mirrors.insert({mirror_factor(scene.materials[i], i, 1).kind, i});
   std::vector<const Spectrum*> emissions;
   for (const Spectrum& emission : scene.emissions) emissions.push_back(&emission);
-  return {factor_sources(scene), mirrors, mirrors.empty() ? 0 : depth, emissions, observer};
+  std::uint32_t longest = mirrors.empty() ? 0 : depth;
+  // At each clear surface an interface, and a way through what lies behind it; to the light again.
+  if (!scene.media.empty()) longest = std::min(2 * depth + 4, longest_probed);
+  return {factor_sources(scene), mirrors, longest, emissions, observer};
 }
 
 }  // namespace

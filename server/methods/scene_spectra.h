@@ -26,7 +26,7 @@ Eigen::MatrixXd unit_light_columns(const RenderScene& scene, const ObserverWeigh
 /// What a surface may multiply light by; of a Fresnel term, at three angles.
 Eigen::MatrixXd surface_columns(const RenderScene& scene, const Wavelengths& wavelengths);
 
-/// The same of mirrors alone.
+/// The same of mirrors, and of what light goes through, alone.
 Eigen::MatrixXd mirror_columns(const RenderScene& scene, const Wavelengths& wavelengths);
 
 }  // namespace metamer

@@ -28,6 +28,8 @@ Lack lack(Feature feature, const std::string& by) {
       return {refusal, "the " + by + " has no textures"};
     case Feature::multi_pass:
       return {notice, "has no effect: the " + by + " has no passes"};
+    case Feature::transmission:
+      return {refusal, "the " + by + " has no refraction"};
   }
   return {refusal, {}};
 }
@@ -65,6 +67,9 @@ std::vector<Need> features_of(const RenderScene& scene, const v1::Settings& sett
       [](const Object& object, const Material&) {
         return object.shape == Object::Shape::mesh && object.shading != v1::PHONG;
       },
+      needs);
+  need_of_objects(
+      scene, Feature::transmission, [](const Object&, const Material& m) { return m.medium > 0; },
       needs);
   if (settings.method().point().multi_pass())
     needs.push_back({Feature::multi_pass, "settings.method.point.multi_pass"});

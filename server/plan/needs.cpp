@@ -109,6 +109,25 @@ void need_rays(const RenderScene& scene, const std::vector<const RenderMaterial*
   else
     plan.add_need(print("up to %u mirror reflections a path: ", plan.depth()) + named(mirrors));
 
+  const auto clear = names_of(materials, [](const RenderMaterial& m) { return m.medium > 0; });
+  if (clear.empty())
+    plan.add_unneeded("ray trees: no material lets light through");
+  else if (!capabilities.features.has(Feature::transmission))
+    plan.add_unneeded("ray trees: the " + capabilities.backend + " backend has none, although " +
+                      named(clear) + " lets light through");
+  else if (plan.depth() == 0)
+    plan.add_unneeded("ray trees: the settings allow none, although " + named(clear) +
+                      " lets light through");
+  else
+    plan.add_need(print("ray trees of up to %u reflections and refractions, down to %g of a "
+                        "sample's weight: ",
+                        plan.depth(), plan.cutoff()) +
+                  named(clear));
+  if (!clear.empty() && capabilities.features.has(Feature::transmission))
+    plan.add_need(print("%u interfaces of clear materials, as tables over the cosine: ",
+                        static_cast<unsigned>(scene.interfaces.size())) +
+                  named(clear));
+
   const auto bent = names_of(materials, [](const RenderMaterial& m) { return m.anisotropic(); });
   if (bent.empty())
     plan.add_unneeded("tangents: no material is anisotropic");

@@ -7,17 +7,20 @@
 #include "server/methods/method.h"
 #include "server/plan/features.h"
 #include "server/plan/needs.h"
+#include "server/scene/media.h"
 
 namespace metamer {
 namespace {
 
-/// No path is longer than the mirrors of the scene make it, nor than the backend goes.
+/// No path is longer than the mirrors and clear things of the scene make it, nor than the backend
+/// goes.
 std::uint32_t needed_depth(const std::vector<Need>& needs, std::uint32_t allowed,
                            const Features& features) {
-  const bool mirrors = std::any_of(needs.begin(), needs.end(), [](const Need& need) {
-    return need.feature == Feature::mirrors;
+  const bool longer = std::any_of(needs.begin(), needs.end(), [&](const Need& need) {
+    return (need.feature == Feature::mirrors || need.feature == Feature::transmission) &&
+           features.has(need.feature);
   });
-  return mirrors && features.has(Feature::mirrors) ? allowed : 0;
+  return longer ? allowed : 0;
 }
 
 void list_models(const RenderScene& scene, v1::Plan& plan) {
@@ -98,6 +101,19 @@ void notice_objects(const RenderScene& scene, v1::Plan& plan) {
   spheres.say("a sphere has no corners: it is shaded by PHONG", plan);
 }
 
+/// Says which clear objects are no solids, so that light that goes in stays in.
+void notice_open_objects(const RenderScene& scene, v1::Plan& plan) {
+  Group open;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
+    if (scene.materials[scene.objects[i].material].medium > 0 &&
+        !is_closed(scene, scene.objects[i]))
+      open.add(i);
+  open.say(
+      "it lets light through but is not closed, or its faces are not all turned the same way: "
+      "where a path does not come out again, it stays in the material",
+      plan);
+}
+
 void notice_cut_observer(const RenderScene& scene, v1::Plan& plan) {
   if (!scene.observer.is_cut()) return;
   v1::Notice* notice = plan.add_notice();
@@ -164,6 +180,8 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
   plan.set_spp(settings.spp());
   const std::vector<Need> needs = features_of(scene, settings);
   plan.set_depth(needed_depth(needs, settings.depth(), capabilities.features));
+  if (!scene.media.empty() && capabilities.features.has(Feature::transmission))
+    plan.set_cutoff(settings.cutoff());
   plan.set_threads(settings.threads() == 0 ? capabilities.threads
                                            : std::min(settings.threads(), capabilities.threads));
   plan.set_backend(capabilities.backend);
@@ -192,6 +210,7 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
   notice_smaller_tiles(settings, plan);
   notice_skipped_faces(scene, plan);
   notice_objects(scene, plan);
+  notice_open_objects(scene, plan);
   notice_cut_observer(scene, plan);
   notice_short_end(settings.method(), wavelengths, plan);
   list_needs(scene, capabilities, plan);

@@ -13,15 +13,16 @@ namespace {
 
 constexpr std::size_t max_scene_colors = 2048;
 
-/// A pixel that receives one light from one surface, over a mirror or none.
+/// A pixel that receives one light from one surface, over a mirror, through a clear material, or
+/// neither.
 class ColorPatch {
  public:
   ColorPatch(const RenderScene& scene, std::uint32_t light)
       : light_(light), gather_(scene.lights.size()) {}
 
-  ColorPatch over(const RenderScene& scene, std::uint32_t mirror) const {
+  ColorPatch over(const Factor& factor) const {
     ColorPatch other = *this;
-    other.chain_ = other.gather_.chain(0, mirror_factor(scene.materials[mirror], mirror, 1));
+    other.chain_ = other.gather_.chain(0, factor);
     return other;
   }
   Gather diffuse(std::uint32_t material) const {
@@ -75,9 +76,14 @@ PilotPixels trace_pixels(const Probe& probe, const v1::Plan& plan, PixelRun run,
 
 PilotPixels scene_colors(const RenderScene& scene, Reference& reference) {
   const std::set<std::uint32_t> used = seen_materials(scene);
-  std::set<std::uint32_t> mirrors;
-  for (const std::uint32_t material : used)
-    if (scene.materials[material].mirror > 0) mirrors.insert(material);
+  std::vector<Factor> passed;
+  for (const std::uint32_t index : used) {
+    const RenderMaterial& material = scene.materials[index];
+    if (material.mirror > 0) passed.push_back(mirror_factor(material, index, 1));
+    if (absorbs(scene, material))  // through its thickness
+      passed.push_back({FactorKind::absorb, index,
+                        static_cast<float>(scene.media[material.medium].optical_depth)});
+  }
   PilotPixels pixels;
   const auto add = [&](const Gather& gather) {
     if (pixels.gathers.size() >= max_scene_colors) return;
@@ -92,8 +98,7 @@ PilotPixels scene_colors(const RenderScene& scene, Reference& reference) {
   };
   for (std::uint32_t light = 0; light < scene.lights.size(); ++light) add_all({scene, light});
   for (std::uint32_t light = 0; light < scene.lights.size(); ++light)
-    for (const std::uint32_t mirror : mirrors)
-      add_all(ColorPatch(scene, light).over(scene, mirror));
+    for (const Factor& factor : passed) add_all(ColorPatch(scene, light).over(factor));
   return pixels;
 }
 

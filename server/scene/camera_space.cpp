@@ -57,6 +57,7 @@ void CameraSpace::place(RenderScene& scene) const {
   const Eigen::Affine3d map = Eigen::Scaling(scale) * Eigen::Translation3d(-origin);
   for (RenderObject& object : scene.objects) object.to_world = map * object.to_world;
   for (RenderLight& light : scene.lights) place(light);
+  for (RenderMedium& medium : scene.media) place(medium);
   place(scene.camera);
 }
 

@@ -17,6 +17,7 @@ struct CameraSpace {
   /// Places the scene's objects, lights and camera, all given in the world.
   void place(RenderScene& scene) const;
   void place(RenderLight& light) const;
+  void place(RenderMedium& medium) const { medium.thickness *= scale; }
   Eigen::Vector3d to_world(const Eigen::Vector3d& placed) const { return placed / scale + origin; }
   void place(RenderCamera& camera) const { camera.eye = scale * (camera.eye - origin); }
 };

@@ -12,6 +12,7 @@
 #include "common/scene/limits.h"
 #include "common/scene/reflection.h"
 #include "common/spectral/lines.h"
+#include "server/scene/media.h"
 #include "server/scene/placement.h"
 
 namespace metamer {
@@ -101,6 +102,8 @@ class Compiler {
     if (parts == Parts::all) import_files();
     if (parts == Parts::all)
       for (int i = 0; i < scene_.object_size() && !cancelled_; ++i) object(i);
+    if (parts == Parts::all)
+      if (auto fault = find_interfaces(result_, result_)) problems_.push_back(*std::move(fault));
     if (cancelled_ || !problems_.empty()) return tl::unexpected(std::move(problems_));
     return std::move(result_);
   }
@@ -146,6 +149,24 @@ class Compiler {
          .mirror = static_cast<float>(material.mirror())});
     mesh_needs_.tangents |= result_.materials.back().anisotropic();
     mesh_needs_.uvs |= material.has_texture();
+    if (material.has_transmission()) medium(material.transmission(), field + ".transmission");
+  }
+
+  /// That of the newest material.
+  void medium(const v1::Transmission& transmission, const std::string& field) {
+    RenderMaterial& material = result_.materials.back();
+    const auto number = static_cast<std::uint32_t>(result_.materials.size() - 1);
+    const std::uint32_t transmittance =
+        property(transmission.has_transmittance(), transmission.transmittance(), 1,
+                 field + ".transmittance");
+    material.medium =
+        add_medium({.material = number,
+                    .priority = transmission.priority(),
+                    .index = index_at_d_line(result_.constants[material.constants].n),
+                    .thickness = transmission.has_thickness() ? transmission.thickness() : 0.01,
+                    .transmittance = transmittance,
+                    .clear_shadow = transmission.shadow() == v1::Transmission::CLEAR},
+                   result_);
   }
 
   /// Its spectra become materials of their own, behind those of the scene: methods and relighting

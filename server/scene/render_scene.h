@@ -55,9 +55,29 @@ struct RenderMaterial {
   float mirror;  ///< Weight of the mirror reflection, coloured by the Fresnel term.
   /// Index into RenderScene::textures; its spectra and `diffuse` share the diffuse lobe.
   std::optional<std::uint32_t> texture = {};
+  std::uint32_t medium = 0;  ///< Of what its objects enclose, in RenderScene::media; 0: opaque.
 
   bool has(models::Trait trait) const { return models::entry(reflection.model).traits & trait; }
   bool anisotropic() const;
+};
+
+/// What objects of a clear material enclose, or the air about them.
+struct RenderMedium {
+  std::uint32_t material = 0;       ///< Not of air.
+  std::int32_t priority = 0;        ///< Where objects overlap, the higher one's; then the lower
+                                    ///< material's.
+  double index = 1;                 ///< n at the d line.
+  double optical_depth = 0;         ///< Of `thickness`, where it is absorbed most; 0: clear.
+  double weakest = 0;               ///< The least depth of any wavelength, relative to that.
+  double thickness = 1;             ///< metres
+  std::uint32_t transmittance = 0;  ///< Index into RenderScene::properties, where it absorbs.
+  bool clear_shadow = true;         ///< Light reaches what is behind it.
+};
+
+/// Where two media may touch.
+struct RenderInterface {
+  std::uint32_t rare, dense;  ///< By their n at the d line.
+  std::uint32_t constants;    ///< The denser one's n by the other's, in RenderScene::constants.
 };
 
 struct RenderObject {
@@ -83,6 +103,8 @@ struct RenderScene {
   std::vector<Spectrum> emissions;          ///< Distinct spectra of the lights, relative power.
   std::vector<Spectrum> properties;         ///< Distinct spectra of the materials, 0..1.
   std::vector<OpticalConstants> constants;  ///< Distinct ones of the exact Fresnel terms.
+  std::vector<RenderMedium> media;          ///< Those of materials behind air; else empty.
+  std::vector<RenderInterface> interfaces;  ///< As far as objects touch (find_interfaces).
 
   /// The field of the scene that a spectrum was first named in: "material[3].diffuse".
   std::vector<std::string> emission_fields, property_fields, constants_fields;
@@ -102,6 +124,10 @@ struct RenderScene {
 
 /// The materials that objects have, with those of their textures.
 std::set<std::uint32_t> seen_materials(const RenderScene& scene);
+/// Whether light is absorbed within a material's objects.
+inline bool absorbs(const RenderScene& scene, const RenderMaterial& material) {
+  return material.medium > 0 && scene.media[material.medium].optical_depth > 0;
+}
 
 /// Which of the angles that cost something a scene's models look at.
 struct NeededAngles {

@@ -14,7 +14,11 @@ FactorSources factor_sources(const RenderScene& scene) {
   for (const RenderMaterial& material : scene.materials)
     sources.materials.push_back(
         {&scene.properties[material.diffuse], &scene.properties[material.specular],
-         material.fresnel == FresnelKind::exact ? &scene.constants[material.constants] : nullptr});
+         material.fresnel == FresnelKind::exact ? &scene.constants[material.constants] : nullptr,
+         absorbs(scene, material) ? &scene.properties[scene.media[material.medium].transmittance]
+                                  : nullptr});
+  for (const RenderInterface& interface : scene.interfaces)
+    sources.interfaces.push_back(&scene.constants[interface.constants]);
   return sources;
 }
 

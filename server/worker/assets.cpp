@@ -88,6 +88,7 @@ std::string objects_key(const v1::Scene& scene, const RenderScene& compiled,
   // asks.
   std::map<std::string, std::size_t> places;
   bool tangents = false, uvs = false;
+  const bool clear = !compiled.media.empty();  // then rays can pass surfaces
   for (std::size_t i = 0; i < compiled.materials.size(); ++i) {
     places[compiled.materials[i].name] = i;
     tangents |= compiled.materials[i].anisotropic();
@@ -95,6 +96,7 @@ std::string objects_key(const v1::Scene& scene, const RenderScene& compiled,
   }
   key += tangents ? '\1' : '\0';
   key += uvs ? '\1' : '\0';
+  key += clear ? '\1' : '\0';
   std::set<std::string> files;
   for (const v1::Object& object : scene.object()) {
     const std::size_t place = places.at(object.material());

@@ -8,6 +8,7 @@
 #include "common/scene/settings.h"
 #include "common/scene/validate.h"
 #include "server/scene/compile.h"
+#include "server/scene/media.h"
 
 namespace metamer::worker {
 namespace {
@@ -141,9 +142,12 @@ tl::expected<ViewScene::Change, ViewScene::Problems> ViewScene::change_appearanc
     begin_import(std::move(source));
     return Change::objects;
   }
+  if (auto fault = find_interfaces(*compiled, *now_.scene))
+    return tl::unexpected(Problems{*std::move(fault)});
   keep_objects(*compiled);
   *now_.scene = std::move(*compiled);
   for (RenderLight& light : now_.scene->lights) now_.space.place(light);
+  for (RenderMedium& medium : now_.scene->media) now_.space.place(medium);
   now_.space.place(now_.scene->camera);
   now_.message = std::move(source.scene);
   now_.names = std::move(source.names);

@@ -22,6 +22,7 @@ const std::map<std::string, NumberRange>& ranges() {
       {"height", {1, limits::max_side}},
       {"spp", {1, limits::max_spp}},
       {"depth", {0, limits::max_depth}},
+      {"cutoff", {limits::min_cutoff, 1}},
       {"threads", {0, limits::max_threads}},
       {"tile_size", {8, limits::max_tile}},
       {"method.point.from", {limits::min_wavelength, limits::max_wavelength}},

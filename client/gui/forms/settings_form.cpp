@@ -32,6 +32,7 @@ struct NeedsFeature {
 };
 constexpr NeedsFeature needs_feature[] = {
     {"depth", Feature::mirrors},
+    {"cutoff", Feature::transmission},
     {"shading", Feature::corner_shading},
     {"method.point.multi_pass", Feature::multi_pass},
 };

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 from google.protobuf.message import DecodeError
 
+from metamer import absorption
 from metamer.errors import InputError, ProtocolError
 from metamer.events import Tile
 from metamer.fresnel import fresnel_at_node
@@ -26,6 +27,8 @@ from metamer.v1 import factors_pb2, plan_pb2
 _HEAD = struct.Struct("<8s4I4Q32s")  # client/relight/factors_file.cpp
 _WHITE, _DIFFUSE, _SPECULAR, _FRESNEL = (factors_pb2.FACTOR_WHITE, factors_pb2.FACTOR_DIFFUSE,
                                          factors_pb2.FACTOR_SPECULAR, factors_pb2.FACTOR_FRESNEL)
+_REFLECT, _TRANSMIT, _ABSORB = factors_pb2.FACTOR_REFLECT, factors_pb2.FACTOR_TRANSMIT, factors_pb2.FACTOR_ABSORB
+_NODES = {_FRESNEL: 512, _REFLECT: 512, _TRANSMIT: 512, _ABSORB: absorption.NODES}  # else 1
 Node = tuple[int, int, int]  # term, material, node
 
 
@@ -107,7 +110,8 @@ def _signature_colors(factors: Factors, scene: factors_pb2.SceneFactors, observe
     for parent, _ in factors.products:
         length.append(length[parent] + 1)
     spectra = [Spectrum.from_message(s) for m in scene.material
-               for s in (m.diffuse, m.specular, m.constants.n, m.constants.k) if s.nm]
+               for s in (m.diffuse, m.specular, m.constants.n, m.constants.k, m.transmittance) if s.nm]
+    spectra += [Spectrum.from_message(interface.n) for interface in scene.interface]
     at = quadrature([*lights, *observer, *spectra], 3 + max(length))
 
     # What an observer sees of each light, at Y = its luminance: (lights, 3, points).
@@ -146,7 +150,12 @@ class _NodeValues:
         nm = self._at.nm
         if term == _WHITE:
             return np.ones_like(nm)
+        if term in (_REFLECT, _TRANSMIT):
+            reflected = fresnel_at_node(Spectrum.from_message(self._scene.interface[material].n).property_at(nm) + 0j, node)
+            return reflected if term == _REFLECT else 1 - reflected
         of = self._scene.material[material]
+        if term == _ABSORB:
+            return absorption.at_node(Spectrum.from_message(of.transmittance), nm, node)
         if term == _FRESNEL:
             n = Spectrum.from_message(of.constants.n).property_at(nm)
             k = Spectrum.from_message(of.constants.k).property_at(nm) if of.constants.HasField("k") else np.zeros_like(nm)
@@ -206,9 +215,10 @@ class FactorsBuilder:
         return np.array(numbers, np.int64)
 
     def _sound(self, term: int, material: int, node: int) -> Node:
-        if term not in (_WHITE, _DIFFUSE, _SPECULAR, _FRESNEL):
+        if term not in (_WHITE, _DIFFUSE, _SPECULAR, *_NODES):
             raise ProtocolError(f"a factor is of a kind that this client does not know ({term})")
-        if term != _WHITE and material >= len(self._scene.material) or node > (511 if term == _FRESNEL else 0):
+        members = self._scene.interface if term in (_REFLECT, _TRANSMIT) else self._scene.material
+        if term != _WHITE and material >= len(members) or node >= _NODES.get(term, 1):
             raise ProtocolError("a factor names what does not exist")
         return term, material, node
 

@@ -94,8 +94,16 @@ std::string describe(const v1::Plan& plan) {
 }
 
 std::string describe(const v1::Timing& timing) {
-  return formatted("%.2f s rendering (", timing.render()) + rate(timing.rays(), timing.render()) +
-         formatted("), %.2f s in all", timing.total());
+  std::string text = formatted("%.2f s rendering (", timing.render()) +
+                     rate(timing.rays(), timing.render()) +
+                     formatted("), %.2f s in all", timing.total());
+  // Less than that, nobody sees.
+  if (timing.beyond_depth() + timing.below_cutoff() > 1e-3)
+    text += formatted(
+        "; of the light over clear surfaces up to %.2g %% is missing beyond the "
+        "depth, %.2g %% below the cutoff",
+        100 * timing.beyond_depth(), 100 * timing.below_cutoff());
+  return text;
 }
 
 std::string prepared_text(const v1::Timing& timing) {

@@ -13,7 +13,7 @@ from metamer.spectra import band_means
 from metamer.v1 import factors_pb2, plan_pb2
 from support import local, read_exr, run
 
-# A paint and a metal ball on a floor that mirrors them: every kind of factor, and chains of them.
+# A paint, a metal and a glass ball on a floor that mirrors them: every kind of factor, and chains of them.
 SCENE = """
 camera { eye { y: 1.5 z: 4 } target { y: 0.4 } }
 settings { width: 32 height: 24 spp: 4 depth: 3 tile_size: 16 method { exact {} } }
@@ -30,8 +30,13 @@ material {
   name: "floor" mirror: 0.5 diffuse { samples { wavelength: [400, 700] value: [0.2, 0.6] } }
   specular { constant: 0.05 } specularness: 0.1 hall_greenberg {} fresnel { schlick {} }
 }
+material {
+  name: "glass" fresnel { dielectric { medium: "N-BK7" } }
+  transmission { transmittance { samples { wavelength: [400, 700] value: [0.9, 0.2] } } thickness: 0.5 }
+}
 object { name: "a" material: "paint" sphere { center { x: -0.6 y: 0.5 } radius: 0.5 } }
 object { name: "b" material: "gold" sphere { center { x: 0.6 y: 0.5 } radius: 0.5 } }
+object { name: "d" material: "glass" sphere { center { y: 0.3 z: 0.8 } radius: 0.3 } }
 object { name: "c" material: "floor" quad { corner { x: -3 z: 3 } u { x: 6 } v { z: -6 } } }
 """
 GREEN = metamer.Spectrum([400, 500, 540, 600, 700], [0.05, 0.3, 0.7, 0.2, 0.1])

@@ -108,9 +108,9 @@ TEST(Settings, SizesOverTheLimits) {
             Strings({"settings.width: width must lie in 1..16384 (it is 0)",
                      "settings.height: height must lie in 1..16384 (it is 16385)"}));
   EXPECT_EQ(settings("width: 16384 height: 16384"), Strings());
-  EXPECT_EQ(settings("spp: 1025 depth: 33 threads: 257"),
+  EXPECT_EQ(settings("spp: 1025 depth: 65 threads: 257"),
             Strings({"settings.spp: spp must lie in 1..1024 (it is 1025)",
-                     "settings.depth: depth must lie in 0..32 (it is 33)",
+                     "settings.depth: depth must lie in 0..64 (it is 65)",
                      "settings.threads: threads must lie in 0..256 (it is 257)"}));
   for (const char* size : {"0", "12", "264"}) {
     EXPECT_EQ(settings(std::string("tile_size: ") + size),

@@ -22,7 +22,7 @@ TEST(TextureCheck, NeedsAPictureAndSpectra) {
 
 TEST(TextureCheck, ItsSpectraAreReflectances) {
   EXPECT_EQ(findings_of("file: 'cloth.png' spectrum { constant: 1.5 }"),
-            Strings({"material[0].texture.spectrum[0].constant: constant must be 0 to 1 (it is "
+            Strings({"material[0].texture.spectrum[0].constant: a property must lie in 0..1 (it is "
                      "1.5)"}));
 }
 

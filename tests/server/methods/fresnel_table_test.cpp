@@ -131,7 +131,7 @@ TEST(FresnelTable, AMirrorHasTheColourOfItsTermAtNV) {
     gather.weights(gather.surface(chain, 0), 0) = {weight, 0, 0};
     const auto first = fresnel_at(gold, u);
     for (std::size_t i = 0; i < expected.size(); ++i)
-      expected[i] += weight * first[i] * models::schlick_fresnel(v, 0.04);
+      expected[i] += weight * first[i] * models::schlick_fresnel(double{v}, 0.04);
   }
   const auto xyz = test::resolve(*method, gather);
   const Xyz exact = lit(wavelengths, "A", expected);

@@ -43,6 +43,27 @@ std::uint32_t any_chain(Gather& gather, const FactorSources& sources, std::mt199
   return chain;
 }
 
+Spectra fresnel_values(std::uint32_t node, const Spectra& n, const Spectra& k) {
+  const double cosine = std::pow(double(node) / 511, 2);
+  Spectra values;
+  for (std::size_t i = 0; i < n.size(); ++i)
+    values.push_back(models::conductor_fresnel(cosine, n[i], k[i]));
+  return values;
+}
+
+Spectra index_of(const RenderScene& scene, std::uint32_t medium, const Spectra& nm) {
+  if (medium == 0) return Spectra(nm.size(), 1.0);
+  const std::uint32_t material = scene.media[medium].material;
+  return resample(scene.constants[scene.materials[material].constants].n, nm, Outside::hold).values;
+}
+
+/// Where 1 − exp(−s/2) has grown by i steps of 1/160, and above s = 2 by steps of the same slope in
+/// ln s.
+double absorption_length(std::uint32_t i) {
+  const double turn = 160 * (1 - std::exp(-1));
+  return i <= turn ? -2 * std::log(1 - i / 160.0) : 2 * std::exp((i - turn) * std::exp(1) / 160);
+}
+
 }  // namespace
 
 RenderScene transport_scene() {
@@ -62,7 +83,16 @@ RenderScene transport_scene() {
       name: "lacquer" mirror: 1 fresnel { schlick {} }
       specular { samples { wavelength: [400, 550, 700] value: [0.2, 0.9, 0.4] } }
     }
-    object { name: "o" material: "paint" sphere { radius: 1 } })");
+    material {
+      name: "glass" fresnel { dielectric { medium: "N-BK7" } }
+      transmission {
+        transmittance { samples { wavelength: [400, 500, 700] value: [0.2, 0.9, 0.6] } } thickness: 2
+      }
+    }
+    material { name: "water" fresnel { dielectric { medium: "water" } } transmission {} }
+    object { name: "o" material: "paint" sphere { radius: 1 } }
+    object { name: "p" material: "glass" sphere { radius: 1 } }
+    object { name: "q" material: "water" sphere { radius: 0.5 } })");
 }
 
 Gather random_gather(const RenderScene& scene, std::mt19937& random) {
@@ -101,13 +131,28 @@ Spectra values_of(const RenderScene& scene, const FactorNode& factor, const Spec
     case FactorKind::specular:
       return property(scene.materials[factor.index].specular);
     case FactorKind::fresnel: {
-      const double cosine = std::pow(double(factor.node) / 511, 2);
       const OpticalConstants& own = scene.constants[scene.materials[factor.index].constants];
-      Spectra values;
       const Spectra n = resample(own.n, nm, Outside::hold).values;
-      const Spectra k = resample(own.k, nm, Outside::hold).values;
-      for (std::size_t i = 0; i < nm.size(); ++i)
-        values.push_back(models::conductor_fresnel(cosine, n[i], k[i]));
+      const Spectra k =
+          own.k.nm.empty() ? Spectra(nm.size(), 0.0) : resample(own.k, nm, Outside::hold).values;
+      return fresnel_values(factor.node, n, k);
+    }
+    case FactorKind::reflect:
+    case FactorKind::transmit: {
+      const RenderInterface& one = scene.interfaces[factor.index];
+      Spectra n = index_of(scene, one.dense, nm), values;
+      const Spectra rare = index_of(scene, one.rare, nm);
+      for (std::size_t i = 0; i < nm.size(); ++i) n[i] /= rare[i];
+      values = fresnel_values(factor.node, n, Spectra(nm.size(), 0.0));
+      if (factor.kind == FactorKind::transmit)
+        for (double& value : values) value = 1 - value;
+      return values;
+    }
+    case FactorKind::absorb: {
+      // Of the glass: T^(s/S) where S = −ln 0.2.
+      Spectra values = property(scene.media[scene.materials[factor.index].medium].transmittance);
+      for (double& value : values)
+        value = std::pow(value, absorption_length(factor.node) / -std::log(0.2));
       return values;
     }
   }
@@ -125,6 +170,15 @@ std::vector<std::pair<FactorNode, double>> nodes_of(const Factor& factor) {
       return {{node(0), 1}};
     case FactorKind::specular:
       return {{node(0), 1 - std::pow(1 - u, 5)}, {{FactorKind::white, 0, 0}, std::pow(1 - u, 5)}};
+    case FactorKind::absorb: {
+      std::uint32_t below = 0;
+      while (below < 1022 && absorption_length(below + 1) <= u) ++below;
+      const double low = absorption_length(below), high = absorption_length(below + 1);
+      return {{node(below), (high - u) / (high - low)},
+              {node(below + 1), (u - low) / (high - low)}};
+    }
+    case FactorKind::reflect:
+    case FactorKind::transmit:
     case FactorKind::fresnel: {
       const auto below =
           static_cast<std::uint32_t>(std::min(std::floor(std::sqrt(u) * 511), 510.0));

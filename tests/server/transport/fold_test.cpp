@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "common/color/xyz.h"
+#include "common/scene/absorption_table.h"
 #include "common/scene/settings.h"
 #include "common/spectral/wavelengths.h"
 #include "server/film/factor_sink.h"
@@ -195,6 +196,15 @@ TEST(Fold, OfTheReferenceIsTheSumOverTheWays) {
   }
 }
 
+/// Of a node in its kind's table.
+float place_of(const FactorNode& node) {
+  if (node.kind == FactorKind::absorb) return static_cast<float>(absorption_node(node.node));
+  const bool by_cosine = node.kind == FactorKind::fresnel || node.kind == FactorKind::reflect ||
+                         node.kind == FactorKind::transmit;
+  const float t = static_cast<float>(node.node) / 511;
+  return by_cosine ? t * t : 1;
+}
+
 TEST(Fold, OfTheFactorsThatAreKeptIsTheSumOverTheWays) {
   const RenderScene scene = transport_scene();
   struct Nothing : PixelSink {
@@ -215,10 +225,8 @@ TEST(Fold, OfTheFactorsThatAreKeptIsTheSumOverTheWays) {
     std::vector<std::uint32_t> chains{0};
     for (int p = 0; p < kept.product_parent_size(); ++p) {
       const FactorNode node = MessageTerms::product_factor(kept, p);
-      const float t = static_cast<float>(node.node) / 511;
-      const bool fresnel = node.kind == FactorKind::fresnel;
-      chains.push_back(again.chain(chains[kept.product_parent(p)],
-                                   {node.kind, node.index, fresnel ? t * t : 1}));
+      chains.push_back(
+          again.chain(chains[kept.product_parent(p)], {node.kind, node.index, place_of(node)}));
     }
     for (int k = 0; k < kept.signature_size(); ++k) {
       const auto s = static_cast<int>(kept.signature(k));

@@ -1,0 +1,191 @@
+#include "server/cpu/ray_tree.h"
+
+#include <cmath>
+
+#include "server/cpu/refraction.h"
+#include "server/cpu/shared_source.h"
+#include "server/transport/mirror.h"
+
+namespace metamer::cpu {
+namespace {
+
+/// Surfaces that a path may meet without end, of objects that lie in each other.
+constexpr unsigned most_surfaces = 1024;
+
+}  // namespace
+
+RayTree::RayTree(const RenderScene& scene, const EmbreeScene& geometry, const Media& media,
+                 const Shading& shading, unsigned depth, float cutoff)
+    : scene_(scene),
+      geometry_(geometry),
+      media_(media),
+      shading_(shading),
+      depth_(depth),
+      cutoff_(cutoff) {}
+
+void RayTree::trace(const Packet& camera, Workspace& workspace) const {
+  workspace.camera_rays += count(camera.active);
+  std::vector<Branch> stack(1);
+  stack.back().packet = camera;
+  stack.back().inside.fill(media_.of_eye());
+  stack.back().from = camera.origin;
+  while (!stack.empty()) {
+    Branch branch = stack.back();
+    stack.pop_back();
+    follow(branch, stack, workspace);
+  }
+}
+
+/// What the branch meets next: its light, and its children.
+void RayTree::follow(Branch& branch, std::vector<Branch>& stack, Workspace& workspace) const {
+  Packet& packet = branch.packet;
+  workspace.rays += static_cast<unsigned>(count(packet.active));
+  Hits hits = geometry_.intersect(packet.origin, packet.direction, packet.active);
+  packet.active = hits.hit;
+  if (!any(packet.active)) return;
+  packet.hit = packet.origin + packet.direction * hits.distance;
+  packet.travelled += hits.distance;
+  absorb(branch, workspace);
+
+  // Go through clear surfaces, unless an opaque one touches them.
+  Int8 clear{};
+  for (int i = 0; i < lane_count; ++i)
+    if (packet.active[i] && media_.is_clear(hits.object[i])) clear[i] = -1;
+  Media::Crossing crossing;
+  if (any(clear)) crossing = media_.cross(packet.hit, hits, clear, branch.inside);
+  packet.point = packet.hit + hits.geometric_normal * shared::lift_off(packet.hit, hits.distance);
+
+  // Gather the light that the surfaces reflect by their models.
+  Packet shaded = packet;
+  shaded.active = shaded_lanes(branch, hits, crossing, crossing.passed);
+  shaded.inside = &branch.inside;
+  if (any(shaded.active)) shading_.shade(shaded, hits, workspace);
+
+  Children children;
+  for (Branch* child : {&children.reflected, &children.transmitted, &children.straight}) {
+    *child = branch;
+    child->from = packet.hit;
+    child->packet.active = Int8{};
+    child->surfaces = branch.surfaces + 1;
+  }
+  split(branch, hits, crossing, children, workspace);
+  for (unsigned i = 0; i < lane_count; ++i)
+    if (packet.active[i] && !crossing.passed[i]) mirror(branch, hits, i, children, workspace);
+  for (Branch* child : {&children.reflected, &children.transmitted}) {
+    child->depth = branch.depth + 1;
+    child->packet.from_eye = false;
+  }
+  push(children.straight, stack, workspace);
+  push(children.transmitted, stack, workspace);
+  push(children.reflected, stack, workspace);
+}
+
+/// On the way to what was hit (Beer and Lambert), from the surface itself: a lift would be missing.
+void RayTree::absorb(Branch& branch, Workspace& workspace) const {
+  Packet& packet = branch.packet;
+  const Vec8 way = packet.hit - branch.from;
+  for (unsigned i = 0; i < lane_count; ++i) {
+    if (!packet.active[i]) continue;
+    const std::uint8_t medium = branch.inside[i].top();
+    if (!(media_.strength(medium) > 0)) continue;
+    const float length = media_.strength(medium) * lane_of(way, i).norm();
+    packet.chain[i] = workspace.gathers[packet.pixel[i]].chain(
+        packet.chain[i], {FactorKind::absorb, media_.material(medium), length});
+    branch.importance[i] *= std::exp(-media_.weakest(medium) * length);
+  }
+}
+
+/// Opaque surfaces, and clear ones from outside where the medium changes there.
+Int8 RayTree::shaded_lanes(const Branch& branch, const Hits& hits, const Media::Crossing& crossing,
+                           Int8 clear) const {
+  Int8 lanes = branch.packet.active & ~clear;
+  for (unsigned i = 0; i < lane_count; ++i)
+    if (clear[i] && media_.is_front(hits.object[i], hits.behind[i] != 0) &&
+        branch.inside[i].top() != crossing.inside[i].top())
+      lanes[i] = -1;
+  return lanes;
+}
+
+/// Reflection and refraction, where clear surfaces were passed.
+void RayTree::split(const Branch& branch, const Hits& hits, const Media::Crossing& crossing,
+                    Children& children, Workspace& workspace) const {
+  for (unsigned i = 0; i < lane_count; ++i) {
+    if (!crossing.passed[i]) continue;
+    const std::uint8_t from = branch.inside[i].top(), to = crossing.inside[i].top();
+    const Media::Interface* interface = from == to ? nullptr : media_.between(from, to);
+    if (crossing.lost[i] || (interface != nullptr && branch.depth == depth_)) {
+      end(branch, i, workspace.beyond_depth);
+    } else if (interface != nullptr) {
+      refract_at(*interface, branch, hits, crossing, i, children, workspace);
+    } else {
+      set_lane(children.straight.packet.origin, lane_of(crossing.beyond, i), i);
+      children.straight.packet.active[i] = -1;
+      children.straight.inside[i] = crossing.inside[i];
+    }
+  }
+}
+
+void RayTree::refract_at(const Media::Interface& interface, const Branch& branch, const Hits& hits,
+                         const Media::Crossing& crossing, unsigned lane, Children& children,
+                         Workspace& workspace) const {
+  const Packet& packet = branch.packet;
+  const Refraction bent = refract(lane_of(packet.direction, lane), lane_of(hits.normal, lane),
+                                  lane_of(hits.geometric_normal, lane), interface.ratio);
+  Gather& gather = workspace.gathers[packet.pixel[lane]];
+  const float cosine = interface.from_rare ? bent.cosine_from : bent.cosine_to;
+  const auto go_on = [&](Branch& child, const Eigen::Vector3f& direction, const Vec8& origin) {
+    child.packet.active[lane] = -1;
+    set_lane(child.packet.direction, direction, lane);
+    set_lane(child.packet.origin, lane_of(origin, lane), lane);
+  };
+  const auto weigh = [&](Branch& child, FactorKind kind, float share) {
+    child.importance[lane] *= share;
+    if (child.importance[lane] * packet.throughput[lane] < cutoff_) return;  // push() ends it
+    child.packet.chain[lane] = gather.chain(packet.chain[lane], {kind, interface.number, cosine});
+  };
+  go_on(children.reflected, bent.reflected, packet.point);
+  if (bent.is_total) return;
+  weigh(children.reflected, FactorKind::reflect, bent.fresnel);
+  go_on(children.transmitted, bent.transmitted, crossing.beyond);
+  children.transmitted.inside[lane] = crossing.inside[lane];
+  weigh(children.transmitted, FactorKind::transmit, 1 - bent.fresnel);
+}
+
+/// The same as Tracer's, where nothing is clear.
+void RayTree::mirror(const Branch& branch, const Hits& hits, unsigned lane, Children& children,
+                     Workspace& workspace) const {
+  const Packet& packet = branch.packet;
+  const auto material = static_cast<std::uint32_t>(hits.material[lane]);
+  const RenderMaterial& from = scene_.materials[material];
+  if (!(from.mirror > 0) || depth_ == 0) return;
+  if (branch.depth == depth_) return end(branch, lane, workspace.beyond_depth);
+  const Eigen::Vector3f direction = lane_of(packet.direction, lane);
+  const Eigen::Vector3f normal = lane_of(hits.normal, lane);
+  Packet& to = children.reflected.packet;
+  to.active[lane] = -1;
+  to.throughput[lane] *= from.mirror;
+  to.chain[lane] = workspace.gathers[packet.pixel[lane]].chain(
+      packet.chain[lane],
+      mirror_factor(from, material, std::clamp(-direction.dot(normal), 0.0f, 1.0f)));
+  set_lane(to.direction, reflect(direction, normal, lane_of(hits.geometric_normal, lane)), lane);
+  set_lane(to.origin, lane_of(packet.point, lane), lane);
+}
+
+void RayTree::end(const Branch& branch, unsigned lane, double& sum) {
+  sum += double{branch.importance[lane]} * double{branch.packet.throughput[lane]};
+}
+
+/// Without the paths that count for too little.
+void RayTree::push(Branch& child, std::vector<Branch>& stack, Workspace& workspace) const {
+  Int8& active = child.packet.active;
+  for (unsigned i = 0; i < lane_count; ++i) {
+    if (!active[i]) continue;
+    const bool is_long = child.surfaces >= most_surfaces;
+    if (!is_long && child.importance[i] * child.packet.throughput[i] >= cutoff_) continue;
+    end(child, i, is_long ? workspace.beyond_depth : workspace.below_cutoff);
+    active[i] = 0;
+  }
+  if (any(active)) stack.push_back(child);
+}
+
+}  // namespace metamer::cpu

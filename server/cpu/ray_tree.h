@@ -1,0 +1,60 @@
+#pragma once
+
+#include "server/cpu/media.h"
+#include "server/cpu/packet.h"
+#include "server/cpu/shading.h"
+
+namespace metamer::cpu {
+
+/// Follows rays that split at clear surfaces: a tree of paths, by a stack of packets. What is
+/// carried is radiance by n², which refraction leaves as it is: in a picture that is taken within a
+/// medium it is what an eye in air would see if nothing were reflected at the way out. Surfaces
+/// within a medium reflect as they do in air; a clear surface's own model sees light from outside
+/// alone. Immutable, shared by threads.
+class RayTree {
+ public:
+  /// The references must outlive it.
+  RayTree(const RenderScene& scene, const EmbreeScene& geometry, const Media& media,
+          const Shading& shading, unsigned depth, float cutoff);
+
+  /// `camera` rays, whose light goes into `workspace.gathers`.
+  void trace(const Packet& camera, Workspace& workspace) const;
+
+ private:
+  /// Eight paths of a tree.
+  struct Branch {
+    Packet packet;
+    MediaStacks inside{};
+    Vec8 from{};                                ///< Where it met the surface before, or the eye.
+    Float8 importance = metamer::broadcast(1);  ///< The most that the path counts, about.
+    unsigned depth = 0;                         ///< Reflections and refractions so far.
+    unsigned surfaces = 0;                      ///< With those that changed nothing.
+  };
+  /// Where the paths of a branch go on.
+  struct Children {
+    Branch reflected, transmitted, straight;
+  };
+
+  void follow(Branch& branch, std::vector<Branch>& stack, Workspace& workspace) const;
+  void absorb(Branch& branch, Workspace& workspace) const;
+  Int8 shaded_lanes(const Branch& branch, const Hits& hits, const Media::Crossing& crossing,
+                    Int8 clear) const;
+  void split(const Branch& branch, const Hits& hits, const Media::Crossing& crossing,
+             Children& children, Workspace& workspace) const;
+  void refract_at(const Media::Interface& interface, const Branch& branch, const Hits& hits,
+                  const Media::Crossing& crossing, unsigned lane, Children& children,
+                  Workspace& workspace) const;
+  void mirror(const Branch& branch, const Hits& hits, unsigned lane, Children& children,
+              Workspace& workspace) const;
+  static void end(const Branch& branch, unsigned lane, double& sum);
+  void push(Branch& child, std::vector<Branch>& stack, Workspace& workspace) const;
+
+  const RenderScene& scene_;
+  const EmbreeScene& geometry_;
+  const Media& media_;
+  const Shading& shading_;
+  unsigned depth_;
+  float cutoff_;
+};
+
+}  // namespace metamer::cpu
