@@ -2,7 +2,7 @@
 # between "// begin KIND_PART" and "// end KIND_PART". With -DCHECK=ON it writes nothing, and fails
 # where a message differs from its table. A table's line
 #
-#   METAMER_KIND(number, name, Type, … METAMER_PARAMETER(name, …) …)
+#   METAMER_KIND(number, name, Type, … METAMER_PARAMETER(name, …) …)    or METAMER_AREA_KIND
 #
 # becomes a member of a oneof (KIND_MEMBERS), a message with its parameters (KIND_MESSAGES) and a value
 # of an enum (KIND_VALUES). A parameter's field number is its place in the line, so append only. A line whose one
@@ -13,25 +13,25 @@ set(tables common/models/models.def common/lights/lights.def)
 
 # Sets KIND_MEMBERS, KIND_MESSAGES and KIND_VALUES.
 function(read_table def)
-  file(STRINGS ${def} lines REGEX "^METAMER_[A-Z]+\\([0-9]+, " ENCODING UTF-8)
+  file(STRINGS ${def} lines REGEX "^METAMER_[A-Z_]+\\([0-9]+, " ENCODING UTF-8)
   foreach(line ${lines})
-    if(NOT line MATCHES "^METAMER_([A-Z]+)\\(([0-9]+), ([a-z][a-z0-9_]*), ([A-Z][A-Za-z0-9]*)")
+    if(NOT line MATCHES "^METAMER_(AREA_)?([A-Z]+)\\(([0-9]+), ([a-z][a-z0-9_]*), ([A-Z][A-Za-z0-9]*)")
       message(FATAL_ERROR "${def}: can't read: ${line}")
     endif()
-    set(kind ${CMAKE_MATCH_1})
-    set(number ${CMAKE_MATCH_2})
-    set(name ${CMAKE_MATCH_3})
-    set(type ${CMAKE_MATCH_4})
+    set(kind ${CMAKE_MATCH_2})
+    set(number ${CMAKE_MATCH_3})
+    set(name ${CMAKE_MATCH_4})
+    set(type ${CMAKE_MATCH_5})
     list(APPEND kinds ${kind})
     string(TOUPPER ${name} value)
     string(APPEND ${kind}_VALUES "${value} = ${number};\n")
     set(fields "")
     set(field 0)
-    string(REGEX MATCHALL "METAMER_(PARAMETER|ANGLE|POSITION|DIRECTION)\\([a-z][a-z0-9_]*" parameters "${line}")
+    string(REGEX MATCHALL "METAMER_(PARAMETER|ANGLE|LENGTH|POSITION|DIRECTION|VECTOR)\\([a-z][a-z0-9_]*" parameters "${line}")
     foreach(parameter ${parameters})
       math(EXPR field "${field} + 1")
       set(field_type "optional double")
-      if(parameter MATCHES "POSITION|DIRECTION")
+      if(parameter MATCHES "POSITION|DIRECTION|VECTOR")
         set(field_type Vec3)
       endif()
       string(REGEX MATCH "[a-z][a-z0-9_]*$" field_name ${parameter})

@@ -1,6 +1,9 @@
 #include "client/cli/development.h"
 
+#include <cmath>
+
 #include "client/tools/scene/words.h"
+#include "common/scene/limits.h"
 
 namespace metamer::cli {
 
@@ -18,6 +21,12 @@ Result<std::vector<std::string>> apply(const DevelopmentOptions& options,
     if (!space) return problem("--rgb: " + space.error().message);
     development.set_rgb_space(*space);
     given.emplace_back("--rgb");
+  }
+  if (options.exposure) {
+    if (!(std::abs(*options.exposure) <= limits::max_exposure))
+      return problem("--exposure: it must lie in -30..30");
+    development.set_exposure(*options.exposure);
+    given.emplace_back("--exposure");
   }
   if (options.linear) {
     development.set_linear(true);

@@ -230,10 +230,11 @@ Result<void> add_words(const Overrides& overrides, Look& look) {
 
 Result<void> add_development(const Overrides& overrides, Look& look) {
   const DevelopmentOptions& options = overrides.development;
-  if (!options.adaptation && !options.rgb && !options.linear) return {};
+  if (!options.adaptation && !options.rgb && !options.linear && !options.exposure) return {};
   const auto given = apply(options, *look.settings.mutable_development());
   if (!given) return tl::unexpected(given.error());
   if (options.adaptation) look.mask.add_paths("development.adaptation");
+  if (options.exposure) look.mask.add_paths("development.exposure");
   if (options.linear) look.mask.add_paths("development.linear");
   if (!options.rgb) return {};
   look.mask.add_paths("development.rgb_space");

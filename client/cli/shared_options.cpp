@@ -89,6 +89,8 @@ void declare_development(DevelopmentOptions& development, const std::string& gro
       "to the dominant light's white: none, von-kries, bradford, sharp or cmccat2000");
   add("--rgb", &development.rgb,
       "srgb, display-p3, adobe-rgb, prophoto, rec-2020 or cie-rgb, for .png and .exr alike");
+  add("--exposure", &development.exposure,
+      "stops by which the picture is shown brighter, -30 to 30");
   add("--linear", &development.linear, "a .png without the space's transfer function");
 }
 

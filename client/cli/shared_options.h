@@ -22,6 +22,7 @@ struct DevelopmentOptions {
   std::optional<std::string> adaptation;  ///< "none", "von-kries", "bradford", …
   std::optional<std::string> rgb;         ///< "srgb", "display-p3", …
   bool linear = false;
+  std::optional<double> exposure;  ///< Stops.
 };
 
 /// What the command line says instead of the scene's own, as written.

@@ -8,6 +8,7 @@
 namespace metamer::lights {
 
 #define METAMER_LIGHT(number, name, ...) name,
+#define METAMER_AREA_LIGHT METAMER_LIGHT
 enum class Light : unsigned char {
 #include "common/lights/lights.def"
 };
@@ -16,6 +17,8 @@ struct Parameter {
   enum class Kind : unsigned char {
     position,   ///< A point; metres.
     direction,  ///< Of any length but 0 in the scene, unit inside.
+    vector,     ///< A direction whose length counts; metres, not 0.
+    length,     ///< Metres, above 0.
     angle,      ///< Degrees in the scene, 1 − its cosine inside.
     number,
   };
@@ -33,6 +36,7 @@ struct Entry {
   const char* type;     ///< As in the shaders: "Spot".
   const char* citation;
   const char* equation;
+  bool has_area;  ///< It is a surface that shines, not a place or a direction.
   std::span<const Parameter> parameters;
 };
 
@@ -51,7 +55,8 @@ using Values = std::array<Real, max_values>;
 
 /// The numbers that a parameter takes there.
 constexpr std::size_t value_count(Parameter::Kind kind) {
-  return kind == Parameter::Kind::position || kind == Parameter::Kind::direction ? 3 : 1;
+  using enum Parameter::Kind;
+  return kind == position || kind == direction || kind == vector ? 3 : 1;
 }
 
 }  // namespace metamer::lights

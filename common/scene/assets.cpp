@@ -39,6 +39,10 @@ class Collector {
     add(texture.file(), field + ".file", limits::max_asset);
   }
 
+  void add_environment(const v1::Light::Environment& environment, const std::string& field) {
+    add(environment.file(), field + ".file", limits::max_asset);
+  }
+
   void add_mesh(const v1::Mesh& mesh, const std::string& field) {
     const bool gltf = has_extension(mesh.file(), ".gltf");
     const std::string path = field + ".file";
@@ -125,6 +129,9 @@ tl::expected<std::vector<Asset>, std::vector<Problem>> collect_assets(
   for (int i = 0; i < scene.material_size(); ++i)
     collector.add_texture(scene.material(i).texture(),
                           indexed("material", static_cast<std::size_t>(i)) + ".texture");
+  for (int i = 0; i < scene.light_size(); ++i)
+    collector.add_environment(scene.light(i).environment(),
+                              indexed("light", static_cast<std::size_t>(i)) + ".environment");
   for (int i = 0; i < scene.object_size(); ++i) {
     if (!scene.object(i).has_mesh()) continue;
     collector.add_mesh(scene.object(i).mesh(),

@@ -44,6 +44,11 @@ void check_sphere(const v1::Sphere& sphere, const std::string& field, Findings& 
                "radius must be above 0 (it is " + number_text(sphere.radius()) + ")");
 }
 
+void check_plane(const v1::Plane& plane, const std::string& field, Findings& findings) {
+  if (plane.has_normal() && length(to_vector(plane.normal())) == 0)
+    findings.add(field + ".normal", "normal must not be 0");
+}
+
 }  // namespace
 
 void check_object(const v1::Object& object, const std::string& field, Findings& findings) {
@@ -59,8 +64,11 @@ void check_object(const v1::Object& object, const std::string& field, Findings& 
     case v1::Object::kSphere:
       check_sphere(object.sphere(), field + ".sphere", findings);
       break;
+    case v1::Object::kPlane:
+      check_plane(object.plane(), field + ".plane", findings);
+      break;
     case v1::Object::SHAPE_NOT_SET:
-      findings.add(field, "object needs a mesh, a quad or a sphere");
+      findings.add(field, "object needs a mesh, a quad, a sphere or a plane");
       break;
   }
   check_transforms(object, field, findings);

@@ -47,6 +47,12 @@ void check_development(const v1::Development& development, const std::string& fi
                        Findings& findings) {
   const Result<RgbSpace> space = to_rgb_space(development);
   if (!space) findings.add(field + "." + space.error().field, space.error().message);
+  if (development.has_exposure())
+    check_range(development.exposure(), -limits::max_exposure, limits::max_exposure,
+                field + ".exposure", findings);
+  if (development.has_white_luminance())
+    check_range(development.white_luminance(), limits::min_luminance, limits::max_luminance,
+                field + ".white_luminance", findings);
 }
 
 void check_settings(const v1::Settings& settings, const std::string& field, Findings& findings) {
@@ -60,6 +66,8 @@ void check_settings(const v1::Settings& settings, const std::string& field, Find
     method->check(full.method(), field + ".method." + method->word, findings);
   check_development(full.development(), field + ".development", findings);
   check_range(full.spp(), 1, limits::max_spp, field + ".spp", findings);
+  check_range(full.light_samples(), 1, limits::max_light_samples, field + ".light_samples",
+              findings);
   check_range(full.depth(), 0, limits::max_depth, field + ".depth", findings);
   check_range(full.cutoff(), limits::min_cutoff, 1, field + ".cutoff", findings);
   check_range(full.threads(), 0, limits::max_threads, field + ".threads", findings);

@@ -1,5 +1,7 @@
 #include "common/scene/development.h"
 
+#include <cmath>
+
 namespace metamer {
 namespace {
 
@@ -29,6 +31,12 @@ Result<RgbSpace> own_space(const v1::Primaries& message) {
         wrong.field = "primaries";
         return std::move(wrong);
       });
+}
+
+/// What X Y Z are multiplied by.
+double brightness(const v1::Development& development) {
+  if (development.has_exposure()) return std::exp2(development.exposure());
+  return development.has_white_luminance() ? 1 / development.white_luminance() : 1;
 }
 
 /// The white of the dominant light becomes that of the space.
@@ -88,7 +96,9 @@ Result<RgbSpace> to_rgb_space(const v1::Development& development) {
   return rgb_space(to_standard_space(development.rgb_space()));
 }
 
-Result<PlannedDevelopment> planned_development(const v1::Plan& plan) {
+namespace {
+
+Result<PlannedDevelopment> adapted_development(const v1::Plan& plan) {
   Result<RgbSpace> space = to_rgb_space(plan.development());
   if (!space) return tl::unexpected(std::move(space.error()));
   PlannedDevelopment result{
@@ -115,6 +125,17 @@ Result<PlannedDevelopment> planned_development(const v1::Plan& plan) {
                        " (bradford), so that the picture looks as in sRGB; adaptation none "
                        "leaves X Y Z as they are";
   return result;
+}
+
+}  // namespace
+
+Result<PlannedDevelopment> planned_development(const v1::Plan& plan) {
+  auto planned = adapted_development(plan);
+  const double factor = brightness(plan.development());
+  if (planned && factor != 1)
+    for (auto& row : planned->adaptation)
+      for (double& value : row) value *= factor;
+  return planned;
 }
 
 }  // namespace metamer

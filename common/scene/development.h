@@ -19,7 +19,8 @@ Result<RgbSpace> to_rgb_space(const v1::Development& development);
 /// How a plan's X Y Z become RGB.
 struct PlannedDevelopment {
   RgbSpace space;
-  Matrix3 adaptation = identity3;  ///< X Y Z as rendered → as seen under the white of the space.
+  /// X Y Z as rendered → as seen under the white of the space, as bright as the picture is to be.
+  Matrix3 adaptation = identity3;
   std::string unadapted;  ///< Why the adaptation that was asked for can't be done; empty: it can.
   /// What the space's white makes of D65 where nothing else becomes that white; empty: it is D65.
   std::string shown_white;

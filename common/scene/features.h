@@ -14,6 +14,9 @@ enum class Feature : std::uint8_t {
   corner_shading,  ///< Models at triangles' corners or middles: CONSTANT, GOURAUD, QUADRATIC.
   factors,         ///< What pixels are made of before any spectrum, kept for relighting.
   textures,        ///< Pictures on surfaces.
+  area_lights,     ///< Lights that are surfaces: quads, disks, spheres.
+  environment,     ///< Light from all around.
+  planes,          ///< Objects that go on to the horizon.
   multi_pass,      ///< `point` by four wavelengths at a time.
   transmission,    ///< Light that is refracted, and absorbed on its way.
 };

@@ -7,9 +7,10 @@
 
 namespace metamer {
 
-/// The member that is set of a light's oneof `where`, and its line in lights.def.
+/// The member that is set of a light's oneof `where`, and its line in lights.def. An environment
+/// has none.
 struct ChosenLight {
-  const lights::Entry* entry = nullptr;            ///< Null: none is set.
+  const lights::Entry* entry = nullptr;            ///< Null: no line is set.
   const google::protobuf::Message* own = nullptr;  ///< Its parameters, or the vector that is all.
 
   bool is_vector() const { return own->GetDescriptor() == v1::Vec3::descriptor(); }

@@ -11,11 +11,13 @@ inline constexpr std::uint64_t max_pixels = 256u << 20;     ///< A square of the
 inline constexpr std::uint64_t max_view_pixels = 4u << 20;  ///< 12 MiB a frame; 2560 × 1600.
 inline constexpr std::uint32_t max_spp = 1024;              ///< A minute a tile is not a preview.
 inline constexpr std::uint32_t max_depth = 64;  ///< 0.9⁶⁴ = 0.1 %: nothing more to see.
+inline constexpr std::uint32_t max_light_samples = 256;  ///< As many again as max_spp allows.
 inline constexpr std::uint32_t max_threads = 256;
 inline constexpr std::uint32_t max_bases = 16;   ///< Beyond, point sampling is cheaper and exact.
 inline constexpr std::uint32_t max_fitted = 64;  ///< Beyond, uniform wavelengths do as well.
 inline constexpr std::uint32_t max_tile = 256;   ///< 768 KiB of XYZ: one frame.
 inline constexpr std::size_t max_lights = 256;   ///< Each costs a shadow ray per sample.
+inline constexpr double max_exposure = 30;       ///< Stops, up or down; below, f32 still has all.
 inline constexpr double min_luminance = 1e-30;   ///< Products with it are still whole in f32,
 inline constexpr double max_luminance = 1e30;    ///< and these finite.
 inline constexpr double min_cutoff = 1e-6;       ///< Of a sample's paths at most 1e6 are alive.

@@ -21,6 +21,7 @@ v1::Settings with_defaults(const v1::Settings& settings) {
   if (!full.has_spp()) full.set_spp(16);
   if (!full.has_depth()) full.set_depth(4);
   if (!full.has_cutoff()) full.set_cutoff(1e-3);
+  if (!full.has_light_samples()) full.set_light_samples(4);
   if (!full.has_tile_size()) full.set_tile_size(16);
 
   take_older_goal(full);

@@ -1,5 +1,7 @@
 #include "common/scene/validate.h"
 
+#include <optional>
+
 #include "common/scene/findings.h"
 #include "common/scene/limits.h"
 #include "common/scene/part_names.h"
@@ -12,11 +14,18 @@ namespace {
 void check_lights(const v1::Scene& scene, Findings& findings) {
   if (scene.light().empty()) findings.add("light", "the scene needs a light");
   PartNames names("light");
+  std::optional<std::size_t> environment;
   const std::size_t count = check_count(scene.light_size(), limits::max_lights, "light", findings);
   for (std::size_t i = 0; i < count; ++i) {
     const v1::Light& light = scene.light(static_cast<int>(i));
     names.take(light.name(), i, findings);
     check_light(light, indexed("light", i), findings);
+    if (!light.has_environment()) continue;
+    if (environment)
+      findings.add(indexed("light", i), "a scene has one environment (the first is " +
+                                            indexed("light", *environment) + ")");
+    else
+      environment = i;
   }
 }
 

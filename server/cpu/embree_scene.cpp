@@ -179,7 +179,7 @@ std::optional<EmbreeScene> EmbreeScene::build(const RenderScene& scene,
 
   // Place every object.
   for (const RenderObject& object : scene.objects) {
-    const bool sphere = object.shape == RenderObject::Shape::sphere;
+    const bool sphere = object.shape != RenderObject::Shape::mesh;  // or a plane: no corners
     result.tangents_ |= scene.materials[object.material].anisotropic();
     result.interpolated_ |= !sphere && object.shading != v1::PHONG;
     RenderObject centered = object;
@@ -188,8 +188,13 @@ std::optional<EmbreeScene> EmbreeScene::build(const RenderScene& scene,
                               .shading = sphere ? v1::PHONG : object.shading,
                               .mesh = sphere ? nullptr : &scene.meshes[object.mesh],
                               .to_world = rows(centered.to_world)});
+    if (sphere) result.placed_.back().from_world = rows(object.to_world.inverse());
+    if (object.shape == RenderObject::Shape::plane) {
+      result.placed_.back().plane = true;
+      result.planes_.add(static_cast<std::uint32_t>(result.placed_.size() - 1), object);
+      continue;
+    }
     if (sphere) {
-      result.placed_.back().from_world = rows(object.to_world.inverse());
       result.add_sphere(object);
       continue;
     }
@@ -284,7 +289,7 @@ Hits EmbreeScene::intersect(const Vec8& origin, const Vec8& direction, Int8 acti
   store(valid, sound);
   RTCIntersectContext context = coherent_context();
   rtcIntersect8(valid, scene_.get(), &context, &rays);
-  return read(rays, direction, sound);
+  return read(rays, origin, direction, sound);
 }
 
 Hits EmbreeScene::intersect_others(const Vec8& origin, const Vec8& direction, Float8 length,
@@ -302,11 +307,12 @@ Hits EmbreeScene::intersect_others(const Vec8& origin, const Vec8& direction, Fl
   PassingContext context{coherent_context(), &passed};
   context.embree.filter = leave_out_passed;
   rtcIntersect8(valid, scene_.get(), &context.embree, &rays);
-  return read(rays, direction, sound);
+  return read(rays, origin, direction, sound);
 }
 
 /// What was hit.
-Hits EmbreeScene::read(const RTCRayHit8& rays, const Vec8& direction, Int8 sound) const {
+Hits EmbreeScene::read(const RTCRayHit8& rays, const Vec8& origin, const Vec8& direction,
+                       Int8 sound) const {
   Hits hits;
   hits.hit = sound & (load(rays.hit.geomID) != static_cast<int>(RTC_INVALID_GEOMETRY_ID));
   hits.distance = load(rays.ray.tfar);
@@ -317,6 +323,7 @@ Hits EmbreeScene::read(const RTCRayHit8& rays, const Vec8& direction, Int8 sound
   // Embree leaves what it did not hit as it was: anything.
   hits.u = select(hits.hit, load(rays.hit.u), Float8{});
   hits.v = select(hits.hit, load(rays.hit.v), Float8{});
+  if (!planes_.empty()) planes_.intersect(origin, direction, sound, hits);
   // Turn the normals to the side that the ray came from.
   hits.geometric_normal = shared::unit(hits.geometric_normal);
   hits.normal = shared::unit(hits.normal);
@@ -340,7 +347,8 @@ Int8 EmbreeScene::visible(const Vec8& origin, const Vec8& direction, Float8 leng
   RTCIntersectContext context = coherent_context();
   rtcOccluded8(valid, scene_.get(), &context, &rays);
   // Embree marks what is hidden with a tfar of minus infinity.
-  return sound & (load(rays.tfar) >= 0.0f);
+  const Int8 free = sound & (load(rays.tfar) >= 0.0f);
+  return planes_.empty() ? free : planes_.visible(origin, direction, length, free);
 }
 
 }  // namespace metamer::cpu

@@ -10,6 +10,7 @@
 
 #include "server/cpu/corners.h"
 #include "server/cpu/lanes.h"
+#include "server/cpu/planes.h"
 #include "server/scene/render_scene.h"
 
 namespace metamer::cpu {
@@ -100,18 +101,19 @@ class EmbreeScene {
   struct Placed {
     std::uint32_t material;
     v1::Shading shading;
-    const TriangleMesh* mesh = nullptr;              ///< Null: a sphere.
+    const TriangleMesh* mesh = nullptr;              ///< Null: a sphere or plane.
     std::array<std::array<float, 4>, 3> to_world{};  ///< Rows.
     const Float3* normals =
         nullptr;       ///< Of its vertices; an instance's in its own space. Null: flat.
     Double3 center{};  ///< Of the mesh's space, as `to_world` has it.
-    std::array<std::array<float, 4>, 3> from_world{};  ///< Rows; of a sphere.
+    std::array<std::array<float, 4>, 3> from_world{};  ///< Rows; of a sphere or plane.
+    bool plane = false;
     bool instance = false;
     std::array<std::array<float, 3>, 3> to_world_normals{};  ///< Rows; for an instance.
   };
 
   EmbreeScene() = default;
-  Hits read(const RTCRayHit8& rays, const Vec8& direction, Int8 sound) const;
+  Hits read(const RTCRayHit8& rays, const Vec8& origin, const Vec8& direction, Int8 sound) const;
   void add_placed(const RenderObject& object, const TriangleMesh& mesh);
   void add_sphere(const RenderObject& object);
   void add_instance(const RenderObject& object, RTCScene shared);
@@ -126,6 +128,7 @@ class EmbreeScene {
   std::vector<std::vector<Float3>> normals_;  ///< Those that were mapped.
   SceneHandle scene_;
   std::vector<Placed> placed_;
+  Planes planes_;
   bool tangents_ = false, interpolated_ = false;  ///< Whether any object asks for them.
   bool passed_ = false;                           ///< Rays may leave out what they have passed.
 };

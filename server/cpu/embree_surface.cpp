@@ -125,13 +125,16 @@ SurfaceUv EmbreeScene::surface_uv(int object, int primitive, float u, float v,
                                   const std::array<float, 3>& at) const {
   const Placed& placed = placed_[static_cast<std::size_t>(object)];
   if (placed.mesh == nullptr) {
-    // By longitude and latitude; v goes over half a great circle.
-    const Eigen::Vector3f p = Eigen::Vector3f(mapped(placed.from_world, at, 1).data()).normalized();
     Eigen::Matrix3f axes;
     for (Eigen::Index row = 0; row < 3; ++row)
       for (Eigen::Index column = 0; column < 3; ++column)
         axes(row, column) =
             placed.to_world[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+    Eigen::Vector3f p(mapped(placed.from_world, at, 1).data());
+    if (placed.plane)  // by metres
+      return {p.x(), -p.z(), 1 / std::sqrt(axes.col(0).cross(axes.col(2)).norm())};
+    // By longitude and latitude; v goes over half a great circle.
+    p.normalize();
     const float radius = std::cbrt(std::abs(axes.determinant()));
     constexpr float pi = std::numbers::pi_v<float>;
     return {0.5f + std::atan2(p.x(), p.z()) / (2 * pi),

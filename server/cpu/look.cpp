@@ -1,6 +1,7 @@
 #include "server/cpu/look.h"
 
 #include "server/cpu/shared_source.h"
+#include "server/cpu/soft/soft_lights.h"
 #include "server/cpu/tracer.h"
 
 namespace metamer::cpu {
@@ -18,8 +19,12 @@ Int8 first_lane_alone() {
 std::vector<double> light_on(const RenderScene& scene, const EmbreeScene& geometry, const Vec8& hit,
                              const Hits& hits) {
   const Vec8 lifted = hit + hits.geometric_normal * shared::lift_off(hit, hits.distance);
-  std::vector<double> weights;
-  for (const RenderLight& light : scene.lights) {
+  const soft::SoftLights soft(scene, 1);
+  std::vector<double> weights =
+      soft.on_surface(geometry, hit, lifted, hits.normal, scene.lights.size());
+  for (std::size_t l = 0; l < scene.lights.size(); ++l) {
+    const RenderLight& light = scene.lights[l];
+    if (light.source != RenderLight::Source::place) continue;
     lights::Values<Float8> values{};
     const lights::Values<double> numbers = light.values();
     for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -29,7 +34,7 @@ std::vector<double> light_on(const RenderScene& scene, const EmbreeScene& geomet
     const Int8 facing = first_lane_alone() & shared::is_finite(incident) &
                         (incident.weight > 0.0f) & (cosine > 0.0f);
     const Int8 lit = geometry.visible(lifted, incident.direction, incident.reach, facing);
-    weights.push_back(lit[0] ? double{incident.weight[0]} * double{cosine[0]} : 0);
+    weights[l] = lit[0] ? double{incident.weight[0]} * double{cosine[0]} : 0;
   }
   return weights;
 }
@@ -42,7 +47,8 @@ Gather gather_middle(const RenderScene& scene, const EmbreeScene& geometry, cons
                        plan.height(),
                        plan.depth(),
                        {SamplePoint{0.5f, 0.5f}},
-                       static_cast<float>(plan.cutoff())});
+                       static_cast<float>(plan.cutoff()),
+                       plan.light_samples()});
   auto workspace = tracer.make_workspace();
   const std::uint32_t across = x % tracer.block_width(), down = y % tracer.block_height();
   tracer.gather_block(x - across, y - down, workspace);

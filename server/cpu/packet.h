@@ -19,6 +19,8 @@ struct Packet {
   Float8 travelled{};                         ///< From the eye to `hit`.
   std::array<std::uint32_t, 8> pixel{};       ///< Index into Workspace::gathers.
   std::array<std::uint32_t, 8> chain{};       ///< Of that pixel's gather.
+  std::array<std::uint32_t, 8> seed{};        ///< Of the pixel, for points on lights.
+  std::array<std::uint32_t, 8> sample{};      ///< Number of the pixel's sample.
   bool from_eye = true;                       ///< No mirror met yet.
   Vec8 hit{};                                 ///< Where the ray hit.
   Vec8 point{};                               ///< The same, lifted off the surface.

@@ -41,6 +41,7 @@ void RayTree::follow(Branch& branch, std::vector<Branch>& stack, Workspace& work
   Packet& packet = branch.packet;
   workspace.rays += static_cast<unsigned>(count(packet.active));
   Hits hits = geometry_.intersect(packet.origin, packet.direction, packet.active);
+  if (!shading_.soft().empty()) see(branch, hits, workspace);
   packet.active = hits.hit;
   if (!any(packet.active)) return;
   packet.hit = packet.origin + packet.direction * hits.distance;
@@ -78,6 +79,19 @@ void RayTree::follow(Branch& branch, std::vector<Branch>& stack, Workspace& work
   push(children.straight, stack, workspace);
   push(children.transmitted, stack, workspace);
   push(children.reflected, stack, workspace);
+}
+
+/// What shines itself, through what absorbs before it; all of it where that has no end.
+void RayTree::see(const Branch& branch, Hits& hits, Workspace& workspace) const {
+  soft::SoftLights::Seen seen = shading_.soft().find(branch.packet, hits);
+  Branch seeing = branch;
+  Packet& packet = seeing.packet;
+  packet.active = seen.surface >= 0;
+  packet.hit = packet.origin + packet.direction * seen.distance;
+  if (any(packet.active)) absorb(seeing, workspace);
+  for (unsigned i = 0; i < lane_count; ++i)
+    if (media_.strength(branch.inside[i].top()) > 0) seen.sky[i] = 0;
+  shading_.soft().add(packet, seen, workspace);
 }
 
 /// On the way to what was hit (Beer and Lambert), from the surface itself: a lift would be missing.

@@ -36,6 +36,7 @@ class RayTree {
   };
 
   void follow(Branch& branch, std::vector<Branch>& stack, Workspace& workspace) const;
+  void see(const Branch& branch, Hits& hits, Workspace& workspace) const;
   void absorb(Branch& branch, Workspace& workspace) const;
   Int8 shaded_lanes(const Branch& branch, const Hits& hits, const Media::Crossing& crossing,
                     Int8 clear) const;

@@ -57,9 +57,10 @@ class RayTracer : public Renderer {
     next_ = whole_ = 0;
     shares_.clear();
     shares_.resize(plan_->threads());
-    tracer_.emplace(scene_, geometry_->embree(),
-                    Tracer::Frame{picture_.film.width, picture_.film.height, plan_->depth(),
-                                  picture_.samples, static_cast<float>(plan_->cutoff())});
+    tracer_.emplace(
+        scene_, geometry_->embree(),
+        Tracer::Frame{picture_.film.width, picture_.film.height, plan_->depth(), picture_.samples,
+                      static_cast<float>(plan_->cutoff()), plan_->light_samples()});
   }
 
   /// Each thread takes the next tile, so that they are begun in the order that was asked for.

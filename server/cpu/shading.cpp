@@ -35,24 +35,26 @@ shared::Place places_of(const Corners& corners, const Vec8& side, int shading) {
   return shared::place_of(at, side, shading, place);
 }
 
-void scale(models::Lobes<Float8>& lobes, Float8 factor) {
+}  // namespace
+
+void Shading::scale(Lobes& lobes, Float8 factor) {
   lobes.diffuse *= factor;
   lobes.specular *= factor;
   lobes.white *= factor;
   lobes.fresnel *= factor;
 }
 
-}  // namespace
-
 Shading::Shading(const RenderScene& scene, const EmbreeScene& geometry, float footprint,
-                 const Media* media)
+                 std::uint32_t light_samples, const Media* media)
     : scene_(scene),
       geometry_(geometry),
       media_(media),
       texturing_(scene, geometry, footprint),
+      soft_(scene, light_samples),
       needed_(needed_angles(scene)) {
   for (const RenderLight& light : scene.lights) {
     Light& to = lights_.emplace_back();
+    to.is_place = light.source == RenderLight::Source::place;
     to.light = light.light;
     to.solid_angle = metamer::broadcast(static_cast<float>(light.solid_angle));
     const lights::Values<double> values = light.values();
@@ -68,7 +70,9 @@ Shading::Shading(const RenderScene& scene, const EmbreeScene& geometry, float fo
 void Shading::shade(const Packet& packet, const Hits& hits, Workspace& workspace) const {
   const Places places = find_places(packet, hits, workspace);
   const Int8 ambient = ambient_lanes(hits, packet.active);
+  if (!soft_.empty()) shade_soft(packet, hits, places, ambient, workspace);
   for (std::size_t l = 0; l < lights_.size(); ++l) {
+    if (!lights_[l].is_place) continue;
     // Look towards the light from the surface itself: the lift would show in a near light.
     const shared::Incident light =
         shared::incident(lights_[l].light, lights_[l].values, packet.hit);

@@ -8,6 +8,7 @@
 #include "server/cpu/embree_scene.h"
 #include "server/cpu/media.h"
 #include "server/cpu/packet.h"
+#include "server/cpu/soft/soft_lights.h"
 #include "server/cpu/texturing.h"
 #include "server/models/lanes.h"
 
@@ -17,18 +18,21 @@ namespace metamer::cpu {
 /// evaluates the models and gathers their lobes. Immutable, shared by threads.
 class Shading {
  public:
-  /// `footprint` as Texturing has it. `media`: of a scene with clear objects, through which lights
-  /// shine; else null. The references must outlive it.
+  /// `footprint` as Texturing has it. So many samples of each light that is no place or direction.
+  /// `media`: of a scene with clear objects, through which lights shine; else null. The references
+  /// must outlive it.
   Shading(const RenderScene& scene, const EmbreeScene& geometry, float footprint,
-          const Media* media = nullptr);
+          std::uint32_t light_samples, const Media* media = nullptr);
 
   void shade(const Packet& packet, const Hits& hits, Workspace& workspace) const;
+  const soft::SoftLights& soft() const { return soft_; }
 
  private:
   using Lobes = models::Lobes<Float8>;
   using Angles = models::Angles<Float8>;
 
   struct Light {
+    bool is_place;
     lights::Light light;
     lights::Values<Float8> values;
     Float8 solid_angle;
@@ -50,6 +54,11 @@ class Shading {
     Workspace& workspace;
   };
 
+  void shade_soft(const Packet& packet, const Hits& hits, const Places& places, Int8 ambient,
+                  Workspace& workspace) const;
+  void shade_by_sky(const Packet& packet, const Hits& hits, const Places& places, Int8 ambient,
+                    Workspace& workspace) const;
+  Int8 lit_by(const Step& step, const Vec8& direction, Float8 reach, Int8 lanes) const;
   Places find_places(const Packet& packet, const Hits& hits, Workspace& workspace) const;
   Int8 ambient_lanes(const Hits& hits, Int8 active) const;
   void reflect(const Step& step, Int8 lit, Int8 wanted, const Vec8& to_light, Float8 weight) const;
@@ -60,6 +69,7 @@ class Shading {
                       Float8 weight) const;
   void interpolate(const Step& step, Int8 lanes, Lobes& lobes) const;
   void gather(const Step& step, Lobes lobes, Int8 lanes) const;
+  static void scale(Lobes& lobes, Float8 factor);
   static void gather_fresnel(const Step& step, int lane, float cosine, float weight);
 
   const RenderScene& scene_;
@@ -67,6 +77,7 @@ class Shading {
   const Media* media_;
   std::vector<Light> lights_;
   Texturing texturing_;
+  soft::SoftLights soft_;
   NeededAngles needed_;
   bool has_ambient_ = false, has_exact_ = false;
 };

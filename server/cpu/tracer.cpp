@@ -1,5 +1,6 @@
 #include "server/cpu/tracer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 
@@ -27,7 +28,7 @@ std::optional<Media> make_media(const RenderScene& scene, const EmbreeScene& geo
 Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const v1::Plan& plan)
     : Tracer(scene, geometry,
              Frame{plan.width(), plan.height(), plan.depth(), sample_pattern(plan.spp()),
-                   static_cast<float>(plan.cutoff())}) {}
+                   static_cast<float>(plan.cutoff()), plan.light_samples()}) {}
 
 Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const Frame& frame)
     : scene_(scene),
@@ -37,7 +38,7 @@ Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const Fram
           scene, geometry,
           static_cast<float>(2 * scene.camera.tan_half_fov /
                              (frame.height * std::sqrt(static_cast<double>(frame.samples.size())))),
-          media_ ? &*media_ : nullptr),
+          std::max(1U, frame.light_samples), media_ ? &*media_ : nullptr),
       depth_(frame.depth),
       width_(frame.width),
       height_(frame.height) {
@@ -64,6 +65,7 @@ void Tracer::prepare_samples(const std::vector<SamplePoint>& pattern) {
     Samples& samples = samples_[i / lane_count];
     samples.active[lane] = -1;
     samples.pixel[lane] = pixel;
+    samples.number[lane] = pattern[i % spp].number;
     samples.x[lane] = static_cast<float>(pixel % block_width_) + pattern[i % spp].x;
     samples.y[lane] = static_cast<float>(pixel / block_width_) + pattern[i % spp].y;
   }
@@ -99,6 +101,13 @@ void Tracer::gather_block(std::uint32_t x, std::uint32_t y, Workspace& workspace
     packet.active = samples.active & (film_x < static_cast<float>(width_)) &
                     (film_y < static_cast<float>(height_));
     packet.pixel = samples.pixel;
+    if (!shading_.soft().empty()) {
+      packet.sample = samples.number;
+      for (unsigned i = 0; i < lane_count; ++i) {
+        const std::uint32_t px = x + samples.pixel[i] % block_width_;
+        packet.seed[i] = soft::hashed(px, y + samples.pixel[i] / block_width_);
+      }
+    }
     packet.origin = eye_;
     packet.direction = shared::unit(corner_ + across_ * film_x + down_ * film_y);
     if (tree_)
@@ -111,7 +120,9 @@ void Tracer::gather_block(std::uint32_t x, std::uint32_t y, Workspace& workspace
 void Tracer::trace(Packet& packet, Workspace& workspace) const {
   for (unsigned mirrors = 0;; ++mirrors) {
     workspace.rays += static_cast<unsigned>(count(packet.active));
-    const Hits hits = geometry_.intersect(packet.origin, packet.direction, packet.active);
+    Hits hits = geometry_.intersect(packet.origin, packet.direction, packet.active);
+    if (const auto& soft = shading_.soft(); !soft.empty())
+      soft.add(packet, soft.find(packet, hits), workspace);
     packet.active = hits.hit;
     if (!any(packet.active)) return;
 

@@ -27,6 +27,7 @@ class Tracer {
     std::uint32_t depth;               ///< Mirrors that a path may meet.
     std::vector<SamplePoint> samples;  ///< Of each pixel; at least one.
     float cutoff = 1e-3f;              ///< Of paths over clear surfaces.
+    std::uint32_t light_samples = 1;   ///< Of each light with a surface and of the environment.
   };
   /// The references must outlive the tracer.
   Tracer(const RenderScene& scene, const EmbreeScene& geometry, const Frame& frame);
@@ -56,7 +57,8 @@ class Tracer {
   struct Samples {
     Float8 x{}, y{};
     Int8 active{};
-    std::array<std::uint32_t, 8> pixel{};  ///< Of the block, row by row.
+    std::array<std::uint32_t, 8> pixel{};   ///< Of the block, row by row.
+    std::array<std::uint32_t, 8> number{};  ///< SamplePoint::number.
   };
 
   void prepare_samples(const std::vector<SamplePoint>& pattern);

@@ -19,7 +19,7 @@ std::vector<SamplePoint> sample_pattern(unsigned count) {
   std::vector<SamplePoint> points;
   for (unsigned i = 0; i < count; ++i)
     points.push_back({static_cast<float>((i + 0.5) / count),
-                      static_cast<float>(radical_inverse(i) + 0.5 / strata)});
+                      static_cast<float>(radical_inverse(i) + 0.5 / strata), i});
   return points;
 }
 

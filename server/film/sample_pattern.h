@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 namespace metamer {
@@ -7,6 +8,7 @@ namespace metamer {
 /// Where in a pixel its samples lie, both in (0, 1).
 struct SamplePoint {
   float x, y;
+  std::uint32_t number = 0;  ///< In the pattern.
 };
 
 /// The fixed stratified pattern of `count` samples, the same in every pixel: the Hammersley set,

@@ -46,7 +46,7 @@ Filter make_filter(const RenderScene& scene, const Observer& observer,
   const Eigen::MatrixXd equal = to_columns(under_light(observer, *cie::illuminant("E"), nm));
   Eigen::MatrixXd lit = equal;
   for (const RenderLight& light : scene.lights) {
-    const ObserverWeights own = under_light(observer, scene.emissions[light.emission], nm);
+    const ObserverWeights own = under_light(observer, scene.emissions[light.own_emission], nm);
     if (!(to_columns(own).col(1).sum() > 0)) continue;
     filter.dominant = &light;
     lit = to_columns(own);

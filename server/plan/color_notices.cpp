@@ -1,5 +1,7 @@
 #include "server/plan/color_notices.h"
 
+#include <set>
+
 #include <algorithm>
 
 #include "common/color/ends_of_data.h"
@@ -54,8 +56,12 @@ void notice_ends_of_data(const RenderScene& scene, v1::Plan& plan) {
   };
   const Observer& observer = scene.observer;
   tell("settings.observer_file", ends_of_observer(observer));
-  for (std::size_t i = 0; i < scene.emissions.size(); ++i)
-    tell(scene.emission_fields[i], ends_of_light(scene.emissions[i], observer));
+  std::set<std::uint32_t> parts;  // the whole has been told of
+  for (const RenderLight& light : scene.lights)
+    if (light.emission != light.own_emission) parts.insert(light.emission);
+  for (std::uint32_t i = 0; i < scene.emissions.size(); ++i)
+    if (!parts.contains(i))
+      tell(scene.emission_fields[i], ends_of_light(scene.emissions[i], observer));
   std::vector<CumulativeLight> lights;
   for (const RenderLight& light : scene.lights)
     lights.emplace_back(light.name, scene.emissions[light.emission], observer);

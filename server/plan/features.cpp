@@ -26,6 +26,12 @@ Lack lack(Feature feature, const std::string& by) {
       return {refusal, "the " + by + " keeps no factors for relighting"};
     case Feature::textures:
       return {refusal, "the " + by + " has no textures"};
+    case Feature::area_lights:
+      return {refusal, "the " + by + " has no lights with a surface"};
+    case Feature::environment:
+      return {refusal, "the " + by + " has no light from all around"};
+    case Feature::planes:
+      return {refusal, "the " + by + " has no planes out to the horizon"};
     case Feature::multi_pass:
       return {notice, "has no effect: the " + by + " has no passes"};
     case Feature::transmission:
@@ -41,6 +47,14 @@ void need_of_objects(const RenderScene& scene, Feature feature, Predicate needs_
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
     if (needs_it(scene.objects[i], scene.materials[scene.objects[i].material]) && need.count++ == 0)
       need.field = "object[" + std::to_string(i) + "]";
+  if (need.count > 0) needs.push_back(need);
+}
+
+void need_of_lights(const RenderScene& scene, Feature feature, RenderLight::Source source,
+                    std::vector<Need>& needs) {
+  Need need{feature, {}, 0};
+  for (const RenderLight& light : scene.lights)
+    if (light.source == source && need.count++ == 0) need.field = light.field;
   if (need.count > 0) needs.push_back(need);
 }
 
@@ -71,6 +85,12 @@ std::vector<Need> features_of(const RenderScene& scene, const v1::Settings& sett
   need_of_objects(
       scene, Feature::transmission, [](const Object&, const Material& m) { return m.medium > 0; },
       needs);
+  need_of_objects(
+      scene, Feature::planes,
+      [](const Object& object, const Material&) { return object.shape == Object::Shape::plane; },
+      needs);
+  need_of_lights(scene, Feature::area_lights, RenderLight::Source::surface, needs);
+  if (scene.environment) needs.push_back({Feature::environment, scene.environment->field});
   if (settings.method().point().multi_pass())
     needs.push_back({Feature::multi_pass, "settings.method.point.multi_pass"});
   return needs;

@@ -6,6 +6,7 @@
 #include "common/color/xyz.h"
 #include "server/methods/method.h"
 #include "server/plan/features.h"
+#include "server/plan/light_notices.h"
 #include "server/plan/needs.h"
 #include "server/scene/media.h"
 
@@ -23,6 +24,13 @@ std::uint32_t needed_depth(const std::vector<Need>& needs, std::uint32_t allowed
   return longer ? allowed : 0;
 }
 
+/// Of lights, not at all of a light at once.
+bool looks_at_points(const std::vector<Need>& needs) {
+  return std::any_of(needs.begin(), needs.end(), [](const Need& need) {
+    return need.feature == Feature::area_lights || need.feature == Feature::environment;
+  });
+}
+
 void list_models(const RenderScene& scene, v1::Plan& plan) {
   std::set<models::Model> used;
   for (const RenderObject& object : scene.objects)
@@ -33,7 +41,7 @@ void list_models(const RenderScene& scene, v1::Plan& plan) {
 /// The white of the dominant light, to which an eye adapts (4.6.1).
 void plan_white(const RenderScene& scene, v1::Plan& plan) {
   if (scene.lights.empty()) return;
-  const Spectrum& light = scene.emissions[scene.lights.front().emission];
+  const Spectrum& light = scene.emissions[scene.lights.front().own_emission];
   const Xyz white = white_of(light, scene.observer);
   if (white[1] > 0) plan.mutable_source_white()->Add(white.begin(), white.end());
 }
@@ -79,7 +87,7 @@ void notice_objects(const RenderScene& scene, v1::Plan& plan) {
   Group by_uv, by_both, by_axis, spheres, quadratic;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const RenderObject& object = scene.objects[i];
-    const bool sphere = object.shape == RenderObject::Shape::sphere;
+    const bool sphere = object.shape != RenderObject::Shape::mesh;  // or a plane
     if (scene.materials[object.material].anisotropic()) {
       const bool has_uvs = !sphere && !scene.meshes[object.mesh].tangents.empty();
       (!has_uvs ? by_axis : lacks_direction(scene.meshes[object.mesh]) ? by_both : by_uv).add(i);
@@ -98,7 +106,7 @@ void notice_objects(const RenderScene& scene, v1::Plan& plan) {
       plan);
   quadratic.say("QUADRATIC falls below 0 beside a highlight that is sharper than the triangles",
                 plan);
-  spheres.say("a sphere has no corners: it is shaded by PHONG", plan);
+  spheres.say("a sphere or plane has no corners: it is shaded by PHONG", plan);
 }
 
 /// Says which clear objects are no solids, so that light that goes in stays in.
@@ -168,6 +176,11 @@ std::vector<Problem> refusals(const RenderScene& scene, const v1::Settings& sett
   std::vector<Problem> problems;
   for (const Supported& supported : supporters(settings.method(), capabilities))
     for (Problem& one : refuse_unsupported(needs, supported)) problems.push_back(std::move(one));
+  if (keep_factors && scene.environment && scene.environment->picture)
+    problems.push_back({.field = scene.environment->field + ".environment.file",
+                        .file = {},
+                        .message = "the factors of an environment's picture are not kept for "
+                                   "relighting: leave out the file or the factors"});
   return problems;
 }
 
@@ -182,6 +195,7 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
   plan.set_depth(needed_depth(needs, settings.depth(), capabilities.features));
   if (!scene.media.empty() && capabilities.features.has(Feature::transmission))
     plan.set_cutoff(settings.cutoff());
+  if (looks_at_points(needs)) plan.set_light_samples(settings.light_samples());
   plan.set_threads(settings.threads() == 0 ? capabilities.threads
                                            : std::min(settings.threads(), capabilities.threads));
   plan.set_backend(capabilities.backend);
@@ -211,6 +225,7 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
   notice_skipped_faces(scene, plan);
   notice_objects(scene, plan);
   notice_open_objects(scene, plan);
+  notice_lights(scene, needs, plan);
   notice_cut_observer(scene, plan);
   notice_short_end(settings.method(), wavelengths, plan);
   list_needs(scene, capabilities, plan);

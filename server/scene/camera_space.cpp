@@ -8,13 +8,29 @@
 namespace metamer {
 namespace {
 
-/// Calls it with the place of each position among a light's values.
-void for_each_position(lights::Light light, auto&& call) {
+using Kind = lights::Parameter::Kind;
+
+/// Calls it with the kind and the place of each parameter among a light's values.
+void for_each_parameter(const RenderLight& light, auto&& call) {
+  if (light.source == RenderLight::Source::environment) return;
   std::size_t at = 1;
-  for (const lights::Parameter& one : lights::entry(light).parameters) {
-    if (one.kind == lights::Parameter::Kind::position) call(at);
+  for (const lights::Parameter& one : lights::entry(light.light).parameters) {
+    call(one.kind, at);
     at += lights::value_count(one.kind);
   }
+}
+
+/// How far from its position a light with a surface comes.
+double extent(const RenderLight& light) {
+  double sum = 0;
+  for_each_parameter(light, [&](Kind kind, std::size_t at) {
+    if (kind == Kind::length) sum += light.parameters[at];
+    if (kind == Kind::vector)
+      sum +=
+          Eigen::Vector3d(light.parameters[at], light.parameters[at + 1], light.parameters[at + 2])
+              .norm();
+  });
+  return sum;
 }
 
 Eigen::Vector3d position(const RenderLight& light, std::size_t at) {
@@ -29,6 +45,10 @@ double reach(const RenderScene& scene) {
 
   double farthest = 0;
   for (const RenderObject& object : scene.objects) {
+    if (object.shape == RenderObject::Shape::plane) {
+      farthest = std::max(farthest, (object.to_world.translation() - scene.camera.eye).norm());
+      continue;
+    }
     const bool sphere = object.shape == RenderObject::Shape::sphere;
     const Eigen::AlignedBox3d box =
         (sphere ? unit : boxes[object.mesh]).transformed(object.to_world);
@@ -38,8 +58,10 @@ double reach(const RenderScene& scene) {
     farthest = std::max(farthest, far.norm());
   }
   for (const RenderLight& light : scene.lights)
-    for_each_position(light.light, [&](std::size_t at) {
-      farthest = std::max(farthest, (position(light, at) - scene.camera.eye).norm());
+    for_each_parameter(light, [&](Kind kind, std::size_t at) {
+      if (kind == Kind::position)
+        farthest =
+            std::max(farthest, (position(light, at) - scene.camera.eye).norm() + extent(light));
     });
   return farthest;
 }
@@ -63,8 +85,11 @@ void CameraSpace::place(RenderScene& scene) const {
 
 void CameraSpace::place(RenderLight& light) const {
   light.reference_distance *= scale;
-  for_each_position(light.light, [&](std::size_t at) {
-    const Eigen::Vector3d placed = scale * (position(light, at) - origin);
+  for_each_parameter(light, [&](Kind kind, std::size_t at) {
+    if (kind == Kind::length) light.parameters[at] *= scale;
+    if (kind != Kind::position && kind != Kind::vector) return;
+    const Eigen::Vector3d from = kind == Kind::position ? origin : Eigen::Vector3d::Zero();
+    const Eigen::Vector3d placed = scale * (position(light, at) - from);
     std::copy(placed.begin(), placed.end(), &light.parameters[at]);
   });
 }

@@ -12,6 +12,8 @@
 #include "common/scene/limits.h"
 #include "common/scene/reflection.h"
 #include "common/spectral/lines.h"
+#include "server/scene/environment.h"
+#include "server/scene/light_parameters.h"
 #include "server/scene/media.h"
 #include "server/scene/placement.h"
 
@@ -47,36 +49,6 @@ models::Reflection<float> to_f32(const models::Reflection<double>& from) {
     to.slopes[i] = {slope.slope, static_cast<float>(slope.weight), numbers(slope.parameters)};
   }
   return to;
-}
-
-/// As RenderLight has them.
-lights::Values<double> light_parameters(const ChosenLight& light) {
-  using Kind = lights::Parameter::Kind;
-  lights::Values<double> values{};
-  double* to = &values[1];
-  for (const lights::Parameter& one : light.entry->parameters) {
-    switch (one.kind) {
-      case Kind::position: {
-        const Eigen::Vector3d position = to_vector(light.vector(one));
-        to = std::copy(position.begin(), position.end(), to);
-        break;
-      }
-      case Kind::direction: {
-        const Eigen::Vector3d direction = unit(to_vector(light.vector(one)));
-        to = std::copy(direction.begin(), direction.end(), to);
-        break;
-      }
-      case Kind::angle: {
-        const double half_sine = std::sin(light.number(one) * std::numbers::pi / 360);
-        *to++ = 2 * half_sine * half_sine;  // 1 − cos
-        break;
-      }
-      case Kind::number:
-        *to++ = light.number(one);
-        break;
-    }
-  }
-  return values;
 }
 
 /// Builds one scene and gathers what is wrong with it.
@@ -122,15 +94,27 @@ class Compiler {
   void light(int index) {
     const v1::Light& light = scene_.light(index);
     const std::string field = "light[" + std::to_string(index) + "]";
+    if (light.has_environment()) return environment(light, field);
     const ChosenLight chosen = chosen_light(light);
     result_.lights.push_back(
         {.name = light.name(),
+         .field = field,
+         .source =
+             chosen.entry->has_area ? RenderLight::Source::surface : RenderLight::Source::place,
          .light = static_cast<lights::Light>(chosen.entry->index),
          .parameters = light_parameters(chosen),
          .reference_distance = light.reference_distance(),
          .luminance = light.has_luminance() ? light.luminance() : 1,
          .solid_angle = light.has_solid_angle() ? light.solid_angle() : std::numbers::pi,
-         .emission = spectrum(light.spectrum(), field + ".spectrum", SpectrumRole::emission)});
+         .emission = spectrum(light.spectrum(), field + ".spectrum", SpectrumRole::emission),
+         .visible = !light.has_visible() || light.visible()});
+  }
+
+  void environment(const v1::Light& light, const std::string& field) {
+    const std::uint32_t emission =
+        spectrum(light.spectrum(), field + ".spectrum", SpectrumRole::emission);
+    auto added = add_environment(light, field, emission, assets_, result_);
+    if (!added) problems_.push_back(std::move(added.error()));
   }
 
   void material(int index) {
@@ -277,6 +261,16 @@ class Compiler {
         to.to_world.translate(to_vector(object.sphere().center()));
         to.to_world.scale(object.sphere().radius());
         break;
+      case v1::Object::kPlane:
+        to.shape = RenderObject::Shape::plane;
+        if (result_.materials[to.material].medium > 0)
+          add("object[" + std::to_string(index) + "].plane",
+              "a plane encloses nothing: its material can't be clear");
+        to.to_world.translate(to_vector(object.plane().point()));
+        if (object.plane().has_normal())
+          to.to_world.rotate(Eigen::Quaterniond::FromTwoVectors(
+              Eigen::Vector3d::UnitY(), unit(to_vector(object.plane().normal()))));
+        break;
       case v1::Object::SHAPE_NOT_SET:
         return;
     }
@@ -292,6 +286,8 @@ class Compiler {
   void check_place(const RenderObject& object, const std::string& field) {
     Eigen::AlignedBox3d box(Eigen::Vector3d::Constant(-1), Eigen::Vector3d::Constant(1));
     if (object.shape == RenderObject::Shape::mesh) box = bounds(object.mesh);
+    if (object.shape == RenderObject::Shape::plane)
+      box = Eigen::AlignedBox3d(Eigen::Vector3d(0, 0, 0));
     if (box.isEmpty()) return;
     const Eigen::AlignedBox3d placed = box.transformed(object.to_world);
     const double reach =

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -13,6 +14,7 @@
 #include "common/models/reflection.h"
 #include "common/scene/fresnel.h"
 #include "common/spectral/cie.h"
+#include "server/scene/sky_picture.h"
 #include "server/scene/texture.h"
 
 namespace metamer {
@@ -23,14 +25,25 @@ struct RenderCamera {
   double tan_half_fov;                 ///< Of the vertical field of view.
 };
 
+/// What a pixel's gather knows by an index: an emission of one luminance, and where it comes from.
 struct RenderLight {
+  enum class Source : unsigned char {
+    place,        ///< A place or a direction: one ray finds it.
+    surface,      ///< It shines from each of its points.
+    environment,  ///< It shines from all directions: RenderScene::environment has how much.
+  };
   std::string name;
-  lights::Light light;                ///< Its line in lights.def.
+  std::string field;  ///< Of the scene: "light[0]".
+  Source source = Source::place;
+  lights::Light light;                ///< Its line in lights.def; an environment has none.
   lights::Values<double> parameters;  ///< Behind the place of its reference distance.
   double reference_distance;          ///< 0: the luminance holds at every distance.
   double luminance;
   double solid_angle;      ///< sr
   std::uint32_t emission;  ///< Index into RenderScene::emissions.
+  /// That of the whole, where it is one part of what shines; else the same.
+  std::uint32_t own_emission = emission;
+  bool visible = true;  ///< To the eye; mirrors show what shines in any case.
 
   /// Its struct in the shaders, flat.
   lights::Values<double> values() const {
@@ -80,8 +93,22 @@ struct RenderInterface {
   std::uint32_t constants;    ///< The denser one's n by the other's, in RenderScene::constants.
 };
 
+/// Light from all around. A picture has a light each for its red, green and blue, or its bands.
+struct RenderEnvironment {
+  std::string field;                          ///< Of the scene: "light[0]".
+  std::uint32_t first_light = 0;              ///< Index into RenderScene::lights.
+  std::shared_ptr<const SkyPicture> picture;  ///< Null: alike in all directions, one light.
+  double rotation = 0;                        ///< About +y, radians.
+  bool visible = true;                        ///< To the eye.
+
+  std::uint32_t light_count() const {
+    return picture ? static_cast<std::uint32_t>(picture->parts()) : 1;
+  }
+};
+
 struct RenderObject {
-  enum class Shape { mesh, sphere };  ///< A sphere is the unit sphere, placed by its transform.
+  /// A sphere is the unit sphere, a plane what has y = 0, placed by their transforms.
+  enum class Shape { mesh, sphere, plane };
   std::string name;
   Shape shape;
   std::uint32_t mesh;  ///< Index into RenderScene::meshes, for a mesh.
@@ -96,6 +123,7 @@ struct RenderScene {
   RenderCamera camera;
   Observer observer = cie::observer_1931();
   std::vector<RenderLight> lights;
+  std::optional<RenderEnvironment> environment;
   std::vector<RenderMaterial> materials;  ///< Those of the scene, then the spectra of textures.
   std::vector<RenderTexture> textures;
   std::vector<RenderObject> objects;

@@ -91,7 +91,7 @@ TEST(Spot, BehindItIsDark) {
 TEST(Lights, AtThePlaceOfALightNothingIsAsked) {
   // No direction; a backend leaves out what has no finite weight or no part towards the light.
   for (const Entry& entry : registry()) {
-    if (!is_local(entry)) continue;
+    if (!is_local(entry) || entry.has_area) continue;
     const auto light = static_cast<Light>(entry.index);
     const auto there = incident(light, spot(30, 0.3, 1), {0, 0, 0});
     EXPECT_FALSE(there.weight <= 3.4e38) << entry.name;
@@ -129,7 +129,7 @@ TEST(Lights, EightLanesAreTheReference) {
   std::mt19937 engine(2004);
   std::uniform_real_distribution<float> random(-2, 2);
   for (const Entry& entry : registry())
-    for (int round = 0; round < 2000; ++round) {
+    for (int round = 0; round < 2000 && !entry.has_area; ++round) {
       const Drawn drawn = draw(entry, engine);
       const std::array<float, 3> at = {random(engine), random(engine), random(engine)};
       const auto light = static_cast<Light>(entry.index);

@@ -23,6 +23,7 @@ const std::map<std::string, NumberRange>& ranges() {
       {"spp", {1, limits::max_spp}},
       {"depth", {0, limits::max_depth}},
       {"cutoff", {limits::min_cutoff, 1}},
+      {"light_samples", {1, limits::max_light_samples}},
       {"threads", {0, limits::max_threads}},
       {"tile_size", {8, limits::max_tile}},
       {"method.point.from", {limits::min_wavelength, limits::max_wavelength}},
@@ -33,6 +34,7 @@ const std::map<std::string, NumberRange>& ranges() {
       {"goal.tolerance", {above_nothing, limits::max_coordinate}},
       {"goal.deadline", {above_nothing, limits::max_coordinate}},
       {"development.primaries.gamma", {above_nothing, limits::max_coordinate}},
+      {"development.white_luminance", {above_nothing, limits::max_luminance}},
   };
   return table;
 }

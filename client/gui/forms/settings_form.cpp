@@ -34,6 +34,7 @@ constexpr NeedsFeature needs_feature[] = {
     {"depth", Feature::mirrors},
     {"cutoff", Feature::transmission},
     {"shading", Feature::corner_shading},
+    {"light_samples", Feature::area_lights},
     {"method.point.multi_pass", Feature::multi_pass},
 };
 

@@ -57,6 +57,8 @@ class LookReader {
       for (const std::string& member : field_names(*v1::Primaries::descriptor()))
         take("primaries." + member);
     if (from.linear()) take("linear");
+    if (from.has_exposure()) take("exposure");
+    if (from.has_white_luminance()) take("white_luminance");
   }
 
   const v1::Look& message_;

@@ -120,7 +120,11 @@ void add_lights(Table& table) {
       const bool vector = lights::value_count(one.kind) == 3;
       const char* unit = one.kind == lights::Parameter::Kind::angle ? "degrees" : one.unit;
       table[own->full_name()] =
-          vector ? one.meaning : range_text(one.meaning, one.min, one.max, one.default_value, unit);
+          vector ? one.meaning
+          : one.kind == lights::Parameter::Kind::length
+              ? std::string(one.meaning) + ", m, above 0; " + number_text(one.default_value) +
+                    " when left out"
+              : range_text(one.meaning, one.min, one.max, one.default_value, unit);
     }
   }
 }

@@ -57,6 +57,9 @@ void name_choices(const v1::Settings& own, v1::Settings& wanted) {
   const bool space = wanted.development().space_case() != v1::Development::SPACE_NOT_SET;
   if (own.development().space_case() != v1::Development::SPACE_NOT_SET && !space)
     wanted.mutable_development()->set_rgb_space(v1::SRGB);
+  const bool bright = wanted.development().brightness_case() != v1::Development::BRIGHTNESS_NOT_SET;
+  if (own.development().brightness_case() != v1::Development::BRIGHTNESS_NOT_SET && !bright)
+    wanted.mutable_development()->set_exposure(0);
 }
 
 }  // namespace

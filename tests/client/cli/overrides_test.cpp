@@ -88,18 +88,22 @@ TEST(Overrides, AnObserverTakesThePlaceOfAFileAndAFileThatOfAnObserver) {
 }
 
 TEST(Overrides, OfTheDevelopmentReplaceWhatTheSceneSays) {
-  v1::Scene scene =
-      scene_from("settings { development { adaptation: SHARP primaries { red: 1 gamma: 2 } } }");
+  v1::Scene scene = scene_from(
+      "settings { development { adaptation: SHARP primaries { red: 1 gamma: 2 } "
+      "white_luminance: 3 } }");
   Overrides overrides;
   overrides.development.adaptation = "cmccat2000";
   overrides.development.rgb = "prophoto";
   overrides.development.linear = true;
+  overrides.development.exposure = -1.5;
   const auto replaced = apply(overrides, scene);
   ASSERT_TRUE(replaced);
   EXPECT_EQ(scene.settings().development().adaptation(), v1::CMCCAT2000);
   EXPECT_EQ(scene.settings().development().rgb_space(), v1::PROPHOTO);
   EXPECT_FALSE(scene.settings().development().has_primaries());
   EXPECT_TRUE(scene.settings().development().linear());
+  EXPECT_EQ(scene.settings().development().exposure(), -1.5);
+  EXPECT_FALSE(scene.settings().development().has_white_luminance());
 
   overrides.development.rgb = "display-p4";
   EXPECT_EQ(error_of(overrides),

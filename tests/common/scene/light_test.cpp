@@ -17,7 +17,8 @@ bool is_vector(const Parameter& one) { return lights::value_count(one.kind) == 3
 
 TEST(SceneLight, TheSchemaHasTheFieldsOfTheTable) {
   const auto& where = *v1::Light::descriptor()->FindOneofByName("where");
-  EXPECT_EQ(static_cast<std::size_t>(where.field_count()), lights::registry().size());
+  // And an environment, which is a picture.
+  EXPECT_EQ(static_cast<std::size_t>(where.field_count()), lights::registry().size() + 1);
   for (const Entry& entry : lights::registry()) {
     const auto* member = v1::Light::descriptor()->FindFieldByNumber(entry.number);
     ASSERT_TRUE(member != nullptr && member->containing_oneof() == &where) << entry.name;
@@ -51,11 +52,14 @@ TEST(SceneLight, OldFilesAndOldBytesAreLights) {
   EXPECT_STREQ(chosen_light(light).entry->name, "directional");
 }
 
-/// A light by a table's line with all directions along z, and more in its message.
+/// A light by a table's line with all directions along z, two sides, and more in its message.
 std::string text_of(const Entry& entry, const std::string& more = "") {
   std::string own;
   for (const Parameter& one : entry.parameters)
-    if (one.kind == Kind::direction) own += std::string(one.name) + " { z: -1 } ";
+    if (one.kind == Kind::direction)
+      own += std::string(one.name) + " { z: -1 } ";
+    else if (one.kind == Kind::vector)
+      own += std::string(one.name) + (own.empty() ? " { x: 1 } " : " { x: 1 y: 2 } ");
   return std::string("light { ") + entry.name + " { " + own + more +
          " } spectrum { constant: 1 } }\n";
 }
@@ -63,7 +67,7 @@ std::string text_of(const Entry& entry, const std::string& more = "") {
 TEST(SceneLight, EveryParametersEndsAreAllowedAndWhatLiesBeyondNamesTheNearest) {
   for (const Entry& entry : lights::registry())
     for (const Parameter& one : entry.parameters) {
-      if (is_vector(one)) continue;
+      if (is_vector(one) || one.kind == Kind::length) continue;
       const auto with = [&](double value) {
         return findings(
             {.light = text_of(entry, std::string(one.name) + ": " + number_text(value))});
@@ -88,6 +92,41 @@ TEST(SceneLight, ASpotNeedsADirection) {
   EXPECT_EQ(findings({.light = "light { spot { direction { z: 1e-15 } } spectrum { constant: 1 } "
                                "reference_distance: 2 }"}),
             Strings());
+}
+
+std::string surface(const std::string& light, const std::string& more = "") {
+  return "light { " + light + " spectrum { constant: 1 } " + more + " }";
+}
+
+TEST(SceneLight, ASurfaceOfNoAreaIsNoLight) {
+  EXPECT_EQ(findings({.light = surface("quad { u { x: 1 } }")}),
+            Strings({"light[0].quad.v: v must not be 0"}));
+  EXPECT_EQ(findings({.light = surface("quad { u { x: 1 } v { x: -2 } }")}),
+            Strings({"light[0].quad.v: v must not be parallel to u"}));
+  EXPECT_EQ(findings({.light = surface("disk { normal { y: 1 } radius: 0 }")}),
+            Strings({"light[0].disk.radius: radius must be above 0 (it is 0)"}));
+  EXPECT_EQ(findings({.light = surface("sphere { radius: -1 }")}),
+            Strings({"light[0].sphere.radius: radius must be above 0 (it is -1)"}));
+  EXPECT_EQ(findings({.light = surface("sphere { radius: 2 }", "reference_distance: 2")}),
+            Strings({"light[0].reference_distance: reference_distance must be more than the "
+                     "sphere's radius"}));
+}
+
+TEST(SceneLight, WhatALightCanNotHaveIsTold) {
+  EXPECT_EQ(findings({.light = surface("sphere {}", "solid_angle: 1")}),
+            Strings({"light[0].solid_angle: a light with a surface has a solid angle of its own: "
+                     "leave solid_angle out"}));
+  EXPECT_EQ(findings({.light = surface("position { y: 1 }", "visible: false")}),
+            Strings({"light[0].visible: visible is for lights with a surface and for environments: "
+                     "a point light is never seen"}));
+  EXPECT_EQ(findings({.light = surface("environment {}", "reference_distance: 1")}),
+            Strings({"light[0].reference_distance: reference_distance is for lights with a "
+                     "position"}));
+  EXPECT_EQ(findings({.light = surface("environment { file: 'sky.jpg' }")}),
+            Strings({"light[0].environment.file: file must end in .exr (it is \"sky.jpg\")"}));
+  EXPECT_EQ(findings({.light = surface("environment {}") + surface("environment {}")}),
+            Strings({"light[1]: a scene has one environment (the first is light[0])"}));
+  EXPECT_EQ(findings({.light = surface("environment {}", "visible: false")}), Strings());
 }
 
 }  // namespace

@@ -83,7 +83,8 @@ TEST(SceneValidate, Camera) {
 TEST(SceneValidate, Light) {
   EXPECT_EQ(findings({.light = ""}), Strings({"light: the scene needs a light"}));
   EXPECT_EQ(findings({.light = "light { }"}),
-            Strings({"light[0]: light needs a position, a direction or a spot",
+            Strings({"light[0]: light needs a position, a direction, a spot, a quad, a disk, a "
+                     "sphere or an environment",
                      "light[0]: light needs a spectrum"}));
   EXPECT_EQ(findings({.light = "light { direction { } spectrum { constant: 1 } }"}),
             Strings({"light[0].direction: direction must not be 0"}));
@@ -186,7 +187,7 @@ TEST(SceneValidate, Shapes) {
   const auto shape = [](const std::string& text) {
     return findings({.object = "object { material: \"grey\" " + text + " }"});
   };
-  EXPECT_EQ(shape(""), Strings({"object[0]: object needs a mesh, a quad or a sphere"}));
+  EXPECT_EQ(shape(""), Strings({"object[0]: object needs a mesh, a quad, a sphere or a plane"}));
   EXPECT_EQ(shape("sphere { radius: 0 }"),
             Strings({"object[0].sphere.radius: radius must be above 0 (it is 0)"}));
   EXPECT_EQ(shape("sphere { radius: -1 }"),

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "common/scene/settings.h"
 #include "server/plan/plan.h"
+#include "tests/server/cpu/soft/sky_file.h"
 #include "tests/server/test_scene.h"
 
 namespace metamer {
@@ -92,6 +95,53 @@ TEST(Features, FactorsAreAskedForByAJob) {
   const auto problems = refusals(scene, settings, none, true);
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems[0].message, "the toy backend keeps no factors for relighting");
+}
+
+constexpr const char* soft =
+    "camera { eye { z: 3 } target {} } light { name: 'l' position { y: 2 } spectrum { standard: "
+    "'E' "
+    "} } light { name: 'a' sphere {} spectrum { standard: 'E' } } light { name: 'b' disk { normal "
+    "{ "
+    "y: 1 } } spectrum { standard: 'E' } } light { name: 'c' environment { file: 'sky.exr' } "
+    "spectrum { standard: 'E' } } material { name: 'm' } object { name: 'o' material: 'm' plane {} "
+    "} ";
+const test::Files sky = {{"sky.exr", test::sky_file(1, 1, {{1, 1, 1}})}};
+
+TEST(Features, OfLightsAndPlanesHaveTheirPlacesAndAreRefusedByWhoHasThemNot) {
+  const RenderScene scene = test::compile_text(soft, sky);
+  const v1::Settings settings = with_defaults(test::parse_scene(soft).settings());
+  const Capabilities none{.threads = 1, .backend = "toy", .features = {}};
+  std::vector<std::string> told;
+  for (const Problem& one : refusals(scene, settings, none, false))
+    told.push_back(one.field + ": " + one.message);
+  EXPECT_EQ(told,
+            (std::vector<std::string>{"object[0]: the toy backend has no planes out to the horizon",
+                                      "light[1]: the toy backend has no lights with a surface",
+                                      "light[3]: the toy backend has no light from all around"}));
+}
+
+TEST(Features, TheFactorsOfAnEnvironmentsPictureAreNotKept) {
+  const RenderScene scene = test::compile_text(soft, sky);
+  const v1::Settings settings = with_defaults(test::parse_scene(soft).settings());
+  const auto problems = refusals(scene, settings, {.threads = 1}, true);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].field, "light[3].environment.file");
+}
+
+TEST(Features, LightsWithASurfaceTakeSamplesAndThePlanSaysSo) {
+  const RenderScene scene = test::compile_text(soft, sky);
+  v1::Settings settings = with_defaults(test::parse_scene(soft).settings());
+  EXPECT_EQ(make_plan(scene, settings, {.threads = 1}).light_samples(), 4u);
+  settings.set_light_samples(9);
+  const v1::Plan plan = make_plan(scene, settings, {.threads = 1});
+  EXPECT_EQ(plan.light_samples(), 9u);
+  const auto told = std::find_if(plan.notice().begin(), plan.notice().end(), [](const auto& one) {
+    return one.message().starts_with("a pixel looks at 144 points of it");
+  });
+  ASSERT_NE(told, plan.notice().end());
+  EXPECT_EQ(told->field(), "light[1]");
+  const std::string hard = std::string(both) + object("a", "paint");
+  EXPECT_EQ(make_plan(test::compile_text(hard), settings, {.threads = 1}).light_samples(), 0u);
 }
 
 }  // namespace

@@ -47,6 +47,22 @@ TEST(PlannedDeveloping, SaysWhyItCannotAdapt) {
   EXPECT_EQ(red->unadapted.substr(0, 30), "no eye adapts to a white of X ");
 }
 
+TEST(PlannedDeveloping, ExposureDoublesWithEachStopAndAWhitesLuminanceBecomesOne) {
+  v1::Plan plan = plan_of(v1::BRADFORD, v1::PROPHOTO, {1.0985, 1, 0.3558});
+  const Matrix3 plain = planned_developing(plan)->developing.adaptation;
+  const auto expect_times = [&](double factor) {
+    const Matrix3 own = planned_developing(plan)->developing.adaptation;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) EXPECT_DOUBLE_EQ(own[i][j], factor * plain[i][j]);
+  };
+  for (const auto& [stops, factor] : {std::pair{0.0, 1.0}, {3.0, 8.0}, {-1.0, 0.5}}) {
+    plan.mutable_development()->set_exposure(stops);
+    expect_times(factor);
+  }
+  plan.mutable_development()->set_white_luminance(0.25);  // in the place of the exposure
+  expect_times(4);
+}
+
 TEST(PlannedDeveloping, RefusesASpaceThatThereCannotBe) {
   v1::Plan plan;
   plan.mutable_development()->mutable_primaries()->add_red(0.5);

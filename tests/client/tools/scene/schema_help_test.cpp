@@ -69,9 +69,11 @@ TEST(SchemaHelp, IsTheFieldsOwnCommentFirst) {
   const FieldHelp found = help_of(*v1::Light::descriptor(), "reference_distance");
   EXPECT_EQ(found.signature, "reference_distance: number");
   ASSERT_FALSE(found.paragraphs.empty());
-  EXPECT_EQ(found.paragraphs[0],
-            "The luminance of a light with a position holds at this distance and falls with its "
-            "square. Left out, it holds at every distance, as in E[2.2-3]. metres, above 0");
+  EXPECT_EQ(
+      found.paragraphs[0],
+      "The luminance of a light with a position holds at this distance and falls with its "
+      "square. Left out, it holds at every distance, as in E[2.2-3]; not so of a quad, disk or "
+      "sphere, whose light falls off by itself. metres, above 0");
 }
 
 TEST(SchemaHelp, SaysTheTypesCommentToo) {

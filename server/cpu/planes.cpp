@@ -1,0 +1,50 @@
+#include "server/cpu/planes.h"
+
+#include "server/cpu/embree_scene.h"
+
+namespace metamer::cpu {
+namespace {
+
+/// A plane so far away can't be told from its horizon, and what lies there is beyond f32's squares.
+constexpr float horizon = 1e15F;
+
+Float8 distance_to(const Vec8& normal, Float8 height, const Vec8& origin, const Vec8& direction) {
+  return (height - dot(normal, origin)) / dot(normal, direction);
+}
+
+}  // namespace
+
+void Planes::add(std::uint32_t number, const RenderObject& object) {
+  // A normal goes by the inverse transpose.
+  const Eigen::Vector3d normal =
+      (object.to_world.linear().inverse().transpose() * Eigen::Vector3d::UnitY()).normalized();
+  planes_.push_back({static_cast<int>(number), static_cast<int>(object.material), to_lanes(normal),
+                     broadcast(static_cast<float>(normal.dot(object.to_world.translation())))});
+}
+
+void Planes::intersect(const Vec8& origin, const Vec8& direction, Int8 active, Hits& hits) const {
+  for (const Plane& plane : planes_) {
+    const Float8 distance = distance_to(plane.normal, plane.height, origin, direction);
+    const Int8 met = active & (distance > 0.0f) & (distance < horizon) & (distance < hits.distance);
+    hits.hit |= met;
+    hits.distance = select(met, distance, hits.distance);
+    hits.geometric_normal = select(met, plane.normal, hits.geometric_normal);
+    hits.normal = select(met, plane.normal, hits.normal);
+    hits.object = met ? Int8{} + plane.object : hits.object;
+    hits.material = met ? Int8{} + plane.material : hits.material;
+    hits.primitive &= ~met;
+    hits.interpolated &= ~met;
+    hits.u = select(met, Float8{}, hits.u);
+    hits.v = select(met, Float8{}, hits.v);
+  }
+}
+
+Int8 Planes::visible(const Vec8& origin, const Vec8& direction, Float8 length, Int8 free) const {
+  for (const Plane& plane : planes_) {
+    const Float8 distance = distance_to(plane.normal, plane.height, origin, direction);
+    free &= ~((distance > 0.0f) & (distance < length));
+  }
+  return free;
+}
+
+}  // namespace metamer::cpu

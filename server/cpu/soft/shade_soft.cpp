@@ -1,0 +1,82 @@
+// How a Shading looks at lights that are no place or direction: at some of their points.
+
+#include <limits>
+
+#include "server/cpu/shading.h"
+#include "server/cpu/shared_source.h"
+
+namespace metamer::cpu {
+
+void Shading::shade_soft(const Packet& packet, const Hits& hits, const Places& places, Int8 ambient,
+                         Workspace& workspace) const {
+  // The models are evaluated at the hit, whatever the object's shading is.
+  Hits here = hits;
+  here.interpolated = Int8{};
+  const float share = 1 / static_cast<float>(soft_.samples());
+  for (const soft::SoftLights::Surface& surface : soft_.surfaces()) {
+    const soft::SurfaceLight::View view = surface.shape.view(packet.hit, packet.active);
+    if (!any(view.lanes)) continue;
+    const Step step{packet, here, places, surface.light, workspace};
+    for (std::uint32_t j = 0; j < soft_.samples(); ++j) {
+      soft::Point8 point;
+      for (unsigned i = 0; i < lane_count; ++i)
+        soft::pattern_of(packet, i, soft_.samples(), j, surface.light).put(point, i);
+      const soft::Sample8 sample = surface.shape.sample(view, point);
+      const Int8 sound = view.lanes & (sample.weight > 0.0f) &
+                         (sample.weight <= std::numeric_limits<float>::max());
+      const Int8 facing = sound & (dot(hits.normal, sample.direction) > 0.0f);
+      const Float8 weight = sample.weight * share;
+      if (media_ != nullptr)
+        shade_through(step, facing, ambient, sample.direction, sample.reach, weight);
+      const Int8 lit = lit_by(step, sample.direction, sample.reach, facing);
+      const Int8 wanted = lit | (ambient & sound);
+      if (any(wanted)) reflect(step, lit, wanted, sample.direction, weight);
+    }
+  }
+  if (soft_.sky()) shade_by_sky(packet, here, places, ambient, workspace);
+}
+
+void Shading::shade_by_sky(const Packet& packet, const Hits& hits, const Places& places,
+                           Int8 ambient, Workspace& workspace) const {
+  const soft::Sky& sky = *soft_.sky();
+  const float share = 1 / static_cast<float>(soft_.samples());
+  const Float8 far = metamer::broadcast(std::numeric_limits<float>::max());
+  const auto step_of = [&](std::uint32_t part) {
+    return Step{packet, hits, places, sky.first_light() + part, workspace};
+  };
+  for (std::uint32_t j = 0; j < soft_.samples(); ++j) {
+    soft::Sky::Sample8 sample;
+    for (unsigned i = 0; i < lane_count; ++i) {
+      if (!packet.active[i]) continue;
+      const auto [index, seed] = soft::pattern_of(packet, i, soft_.samples(), j, sky.first_light());
+      sky.put_sample({hits.normal.x[i], hits.normal.y[i], hits.normal.z[i]}, index, seed, sample,
+                     i);
+    }
+    const Int8 sound = packet.active & (sample.weight > 0.0f);
+    const Int8 facing = sound & (dot(hits.normal, sample.direction) > 0.0f);
+    const Float8 weight = sample.weight * share;
+    for (std::uint32_t part = 0; media_ != nullptr && part < sky.light_count(); ++part)
+      shade_through(step_of(part), facing, ambient, sample.direction, far,
+                    weight * sample.radiance_of(part));
+    const Int8 lit = lit_by(step_of(0), sample.direction, far, facing);
+    const Int8 wanted = lit | (ambient & sound);
+    if (!any(wanted)) continue;
+
+    // One direction, one ray, one evaluation: each light of the picture has a weight of its own.
+    const Lobes whole = evaluate_hits(step_of(0), wanted, lit, sample.direction, weight);
+    for (std::uint32_t part = 0; part < sky.light_count(); ++part) {
+      Lobes own = whole;
+      scale(own, sample.radiance_of(part));
+      gather(step_of(part), own, wanted);
+    }
+  }
+}
+
+/// The lanes that see what is there; of a scene with clear objects none: shade_through() has them.
+Int8 Shading::lit_by(const Step& step, const Vec8& direction, Float8 reach, Int8 facing) const {
+  if (media_ != nullptr || !any(facing)) return Int8{};
+  step.workspace.rays += static_cast<unsigned>(count(facing));
+  return geometry_.visible(step.packet.point, direction, reach, facing);
+}
+
+}  // namespace metamer::cpu

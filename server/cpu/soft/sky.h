@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "server/cpu/lanes.h"
+#include "server/cpu/soft/pattern.h"
+#include "server/scene/render_scene.h"
+
+namespace metamer::cpu::soft {
+
+/// Light from all around. Half of the samples go where the picture is bright, half where a white
+/// reflects most; what both give is weighed by the balance heuristic of E. Veach and L. J. Guibas,
+/// "Optimally Combining Sampling Techniques for Monte Carlo Rendering" (1995).
+class Sky {
+ public:
+  explicit Sky(const RenderScene& scene);  ///< Which has an environment.
+
+  /// A radiance each for the lights of the environment, by their luminances.
+  const float* radiance(const std::array<float, 3>& direction) const;
+  std::uint32_t first_light() const { return first_light_; }
+  std::uint32_t light_count() const { return light_count_; }
+  bool visible() const { return visible_; }
+
+  struct Sample8 {
+    Vec8 direction{};
+    Float8 weight{};  ///< 1 / (π p) of the density p over solid angle.
+    std::array<const float*, lane_count> radiance{};
+
+    /// Of one light; lanes that were not set have none.
+    Float8 radiance_of(std::uint32_t part) const {
+      Float8 values{};
+      for (unsigned i = 0; i < lane_count; ++i)
+        if (radiance[i] != nullptr) values[i] = radiance[i][part];
+      return values;
+    }
+  };
+  /// Sample number `index` of what a point with this normal sees; `seed` is the lane's. Sets one
+  /// lane.
+  void put_sample(const std::array<float, 3>& normal, std::uint32_t index, std::uint32_t seed,
+                  Sample8& sample, unsigned lane) const;
+
+ private:
+  struct Place {
+    std::uint32_t x, y;
+  };
+  struct Found {
+    std::array<float, 3> direction;
+    Place place;
+  };
+
+  Place place_of(const std::array<float, 3>& direction) const;
+  /// In the picture, by its luminances.
+  Found bright(float u, float v) const;
+  /// Its density there over solid angle.
+  double density(Place place) const;
+  std::array<float, 3> turned(const std::array<float, 3>& direction, float sine) const;
+
+  double brightness(Place place) const;
+
+  std::uint32_t first_light_, light_count_;
+  bool visible_;
+  float cosine_, sine_;  ///< Of the rotation.
+  std::shared_ptr<const SkyPicture> picture_;
+  std::vector<double> luminances_;  ///< Of its lights.
+  // M. Pharr, W. Jakob and G. Humphreys (2023), 12.5: first a row, then a pixel in it.
+  std::vector<float> up_to_row_;    ///< Share of the light in the rows before it; height + 1.
+  std::vector<float> up_to_pixel_;  ///< Share of the row's light up to and with a pixel.
+  std::vector<float> edges_;        ///< cos θ where rows begin; height + 1.
+  double whole_ = 0;                ///< ∫ of the picture's brightness over the sphere.
+};
+
+}  // namespace metamer::cpu::soft

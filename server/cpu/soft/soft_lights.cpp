@@ -1,0 +1,96 @@
+#include "server/cpu/soft/soft_lights.h"
+
+#include <limits>
+
+namespace metamer::cpu::soft {
+namespace {
+
+std::array<float, 3> lane_of(const Vec8& v, unsigned lane) {
+  return {v.x[lane], v.y[lane], v.z[lane]};
+}
+
+void add_white(const Packet& packet, unsigned lane, std::uint32_t light, float weight,
+               Workspace& workspace) {
+  if (weight > 0)
+    workspace.gathers[packet.pixel[lane]].add(packet.chain[lane], light,
+                                              FactorNode{FactorKind::white, 0, 0},
+                                              weight * packet.throughput[lane]);
+}
+
+}  // namespace
+
+SoftLights::SoftLights(const RenderScene& scene, std::uint32_t samples) : samples_(samples) {
+  for (std::uint32_t i = 0; i < scene.lights.size(); ++i)
+    if (scene.lights[i].source == RenderLight::Source::surface)
+      surfaces_.push_back({i, scene.lights[i].visible, SurfaceLight(scene.lights[i])});
+  if (scene.environment) sky_.emplace(scene);
+}
+
+SoftLights::Seen SoftLights::find(const Packet& packet, Hits& hits) const {
+  // A surface that shines and lies in what was hit is before it.
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  constexpr float before = 1 + 1e-5F;
+  Seen seen{.surface = Int8{} - 1,
+            .distance = select(hits.hit, hits.distance * before, metamer::broadcast(infinity)),
+            .sky = {}};
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    if (packet.from_eye && !surfaces_[i].visible) continue;
+    const Float8 distance = surfaces_[i].shape.meet(packet.origin, packet.direction);
+    const Int8 nearer = packet.active & (distance < seen.distance);
+    seen.distance = select(nearer, distance, seen.distance);
+    seen.surface = nearer ? Int8{} + static_cast<int>(i) : seen.surface;
+  }
+  hits.hit &= seen.surface < 0;
+  if (sky_ && (sky_->visible() || !packet.from_eye))
+    seen.sky = packet.active & ~hits.hit & (seen.surface < 0);
+  return seen;
+}
+
+void SoftLights::add(const Packet& packet, const Seen& seen, Workspace& workspace) const {
+  for (unsigned i = 0; i < lane_count; ++i) {
+    if (seen.surface[i] >= 0) {
+      const Surface& surface = surfaces_[static_cast<std::size_t>(seen.surface[i])];
+      add_white(packet, i, surface.light, surface.shape.radiance(), workspace);
+    } else if (seen.sky[i]) {
+      const float* radiance = sky_->radiance(lane_of(packet.direction, i));
+      for (std::uint32_t part = 0; part < sky_->light_count(); ++part)
+        add_white(packet, i, sky_->first_light() + part, radiance[part], workspace);
+    }
+  }
+}
+
+std::vector<double> SoftLights::on_surface(const EmbreeScene& geometry, const Vec8& hit,
+                                           const Vec8& lifted, const Vec8& normal,
+                                           std::size_t lights) const {
+  constexpr std::uint32_t points = 1024;
+  const Int8 all = Int8{} - 1;
+  std::vector<double> sums(lights);
+  const auto by_cosine = [&](const Vec8& direction, Float8 reach, Float8 weight) {
+    const Float8 cosine = dot(normal, direction);
+    const Int8 lit =
+        geometry.visible(lifted, direction, reach, all & (weight > 0.0f) & (cosine > 0.0f));
+    return select(lit, weight * cosine, Float8{});
+  };
+  for (const Surface& surface : surfaces_) {
+    const SurfaceLight::View view = surface.shape.view(hit, all);
+    for (std::uint32_t j = 0; j < points; j += lane_count) {
+      Point8 point;
+      for (unsigned i = 0; i < lane_count; ++i) Pattern{j + i, 0}.put(point, i);
+      const auto sample = surface.shape.sample(view, point);
+      sums[surface.light] +=
+          double{sum(by_cosine(sample.direction, sample.reach, sample.weight))} / points;
+    }
+  }
+  for (std::uint32_t j = 0; sky_ && j < points; j += lane_count) {
+    Sky::Sample8 sample;
+    for (unsigned i = 0; i < lane_count; ++i)
+      sky_->put_sample(lane_of(normal, i), j + i, 0, sample, i);
+    const Float8 lit = by_cosine(
+        sample.direction, metamer::broadcast(std::numeric_limits<float>::max()), sample.weight);
+    for (std::uint32_t part = 0; part < sky_->light_count(); ++part)
+      sums[sky_->first_light() + part] += double{sum(lit * sample.radiance_of(part))} / points;
+  }
+  return sums;
+}
+
+}  // namespace metamer::cpu::soft

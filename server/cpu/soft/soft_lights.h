@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "server/cpu/embree_scene.h"
+#include "server/cpu/packet.h"
+#include "server/cpu/soft/sky.h"
+#include "server/cpu/soft/surface_light.h"
+
+namespace metamer::cpu::soft {
+
+/// The lights of a scene that are no place or direction: those with a surface, and the environment.
+/// Immutable, shared by threads.
+class SoftLights {
+ public:
+  /// So many samples of each, of a sample of a pixel.
+  SoftLights(const RenderScene& scene, std::uint32_t samples);
+
+  bool empty() const { return surfaces_.empty() && !sky_; }
+
+  struct Surface {
+    std::uint32_t light;  ///< Index into RenderScene::lights.
+    bool visible;
+    SurfaceLight shape;
+  };
+  const std::vector<Surface>& surfaces() const { return surfaces_; }
+  const std::optional<Sky>& sky() const { return sky_; }
+  std::uint32_t samples() const { return samples_; }
+
+  /// What rays meet that shines.
+  struct Seen {
+    Int8 surface;     ///< Index into surfaces(); below 0: none.
+    Float8 distance;  ///< Along the ray, of a surface.
+    Int8 sky;         ///< Mask: the environment.
+  };
+  /// A surface before what was hit ends the way, and takes it out of `hits`.
+  Seen find(const Packet& packet, Hits& hits) const;
+  /// Gives that light, over the chains of the packet.
+  void add(const Packet& packet, const Seen& seen, Workspace& workspace) const;
+
+  /// What each light sends to a surface that the first lane has met, by its cosine; 0 for those
+  /// that are a place or direction.
+  std::vector<double> on_surface(const EmbreeScene& geometry, const Vec8& hit, const Vec8& lifted,
+                                 const Vec8& normal, std::size_t lights) const;
+
+ private:
+  std::vector<Surface> surfaces_;
+  std::optional<Sky> sky_;
+  std::uint32_t samples_;
+};
+
+/// The number of a lane's point for a light, among all that its pixel looks at.
+inline Pattern pattern_of(const Packet& packet, unsigned lane, std::uint32_t samples,
+                          std::uint32_t j, std::uint32_t light) {
+  return {packet.sample[lane] * samples + j, hashed(packet.seed[lane], light)};
+}
+
+}  // namespace metamer::cpu::soft

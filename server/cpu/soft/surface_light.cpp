@@ -1,0 +1,231 @@
+#include "server/cpu/soft/surface_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "server/scene/surface_white.h"
+
+namespace metamer::cpu::soft {
+namespace {
+
+using Eigen::Vector3d;
+constexpr double pi = std::numbers::pi;
+constexpr float infinity = std::numeric_limits<float>::infinity();
+/// Of the way to a light: a surface in which it lies does not hide it (incident.glsl).
+constexpr float reached = 0.9999F;
+/// sr. From farther away, points that are even in area are as good, and f32 has their place better;
+/// where the rectangle is more than the light, they are better up to where it is close by.
+constexpr double least_near = 0.02, least_near_within = 1;
+
+Vector3d vector_at(const RenderLight& light, std::size_t at) {
+  return {light.parameters[at], light.parameters[at + 1], light.parameters[at + 2]};
+}
+
+/// cos and sin of 2π v.
+void turn(Float8 v, Float8& cosine, Float8& sine) {
+  for (int i = 0; i < lane_count; ++i) {
+    const float angle = 2 * std::numbers::pi_v<float> * v[i];
+    cosine[i] = std::cos(angle);
+    sine[i] = std::sin(angle);
+  }
+}
+
+/// Two unit vectors at right angles to a unit one, after T. Duff et al., "Building an Orthonormal
+/// Basis, Revisited", JCGT 6(1), 2017.
+void basis(const Vec8& n, Vec8& s, Vec8& t) {
+  const Float8 sign = select(n.z < 0.0f, broadcast(-1), broadcast(1));
+  const Float8 a = -1.0f / (sign + n.z), b = n.x * n.y * a;
+  s = {1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x};
+  t = {b, sign + n.y * n.y * a, -n.y};
+}
+
+}  // namespace
+
+SurfaceLight::SurfaceLight(const RenderLight& light) {
+  if (light.reference_distance > 0)
+    radiance_ = static_cast<float>(1 / white_before(light, light.reference_distance));
+  switch (light.light) {
+    case lights::Light::quad:
+      shape_ = Shape::quad;
+      u_ = vector_at(light, 4), v_ = vector_at(light, 7);
+      middle_ = vector_at(light, 1) + u_ / 2 + v_ / 2;
+      normal_ = u_.cross(v_).normalized();
+      break;
+    case lights::Light::disk: {
+      shape_ = Shape::disk;
+      middle_ = vector_at(light, 1);
+      normal_ = vector_at(light, 4).normalized();
+      radius_ = light.parameters[7];
+      u_ = 2 * radius_ * normal_.unitOrthogonal();
+      v_ = normal_.cross(u_);
+      break;
+    }
+    default:
+      shape_ = Shape::sphere;
+      middle_ = vector_at(light, 1);
+      radius_ = light.parameters[4];
+  }
+  if (shape_ == Shape::sphere) return;
+  area_ = shape_ == Shape::disk ? pi * radius_ * radius_ : u_.cross(v_).norm();
+  along_u_ = v_.cross(normal_) / u_.dot(v_.cross(normal_));
+  along_v_ = normal_.cross(u_) / v_.dot(normal_.cross(u_));
+
+  // The rectangle around it has u's direction.
+  x_ = u_.normalized();
+  y_ = normal_.cross(x_);
+  const double shear = v_.dot(x_);
+  length_x_ = u_.norm() + std::abs(shear);
+  length_y_ = v_.dot(y_);
+  const bool fills = shape_ == Shape::quad && std::abs(shear) < 1e-6 * v_.norm();
+  least_near_ = fills ? least_near : least_near_within;
+  corner_ = middle_ - u_ / 2 - v_ / 2 + std::min(0.0, shear) * x_;
+}
+
+SurfaceLight::View SurfaceLight::view(const Vec8& at, Int8 active) const {
+  View view{};
+  view.at = at;
+  view.lanes = active;
+  if (shape_ == Shape::sphere)
+    view_sphere(view);
+  else
+    view_quad(view);
+  return view;
+}
+
+void SurfaceLight::view_sphere(View& view) const {
+  const Vec8 way = to_lanes(middle_) - view.at;
+  const Float8 squared = dot(way, way);
+  view.distance = sqrt(squared);
+  const Float8 sine_squared = broadcast(static_cast<float>(radius_ * radius_)) / squared;
+  view.lanes &= sine_squared < 1.0f;
+  view.axis = way / view.distance;
+  // 1 − cos without losing a small one's digits.
+  view.cone = sine_squared / (1.0f + sqrt(max(1.0f - sine_squared, Float8{})));
+}
+
+/// Ureña et al. (2013), 4.1, in f64: the sum of angles loses what a small rectangle has.
+void SurfaceLight::view_quad(View& view) const {
+  for (int i = 0; i < lane_count; ++i) {
+    if (!view.lanes[i]) continue;
+    const Vector3d d = corner_ - Vector3d(view.at.x[i], view.at.y[i], view.at.z[i]);
+    const double z = d.dot(normal_);  // below 0 in front of it
+    if (!(z < 0)) {
+      view.lanes[i] = 0;
+      continue;
+    }
+    const double x0 = d.dot(x_), y0 = d.dot(y_), x1 = x0 + length_x_, y1 = y0 + length_y_;
+    // The normals of the pyramid's sides: (0, z, −y0), (−z, 0, x1), (0, −z, y1), (z, 0, −x0).
+    const auto part = [z](double edge) { return edge / std::hypot(z, edge); };
+    const double b0 = -part(y0), n1 = part(x1), b1 = part(y1), n3 = -part(x0);
+    const double g0 = std::acos(-b0 * n1), g1 = std::acos(-n1 * b1), g2 = std::acos(-b1 * n3),
+                 g3 = std::acos(-n3 * b0);
+    const double angle = g0 + g1 + g2 + g3 - 2 * pi;
+    if (!(angle > least_near_)) continue;
+    view.near[i] = -1;
+    view.x0[i] = static_cast<float>(x0);
+    view.x1[i] = static_cast<float>(x1);
+    view.y0[i] = static_cast<float>(y0);
+    view.y1[i] = static_cast<float>(y1);
+    view.z[i] = static_cast<float>(z);
+    view.b0[i] = static_cast<float>(b0);
+    view.b1[i] = static_cast<float>(b1);
+    view.k[i] = static_cast<float>(2 * pi - g2 - g3);
+    view.angle[i] = static_cast<float>(angle);
+  }
+}
+
+/// Their 4.2: even in solid angle, from the view's point.
+Vec8 SurfaceLight::even_point(const View& view, const Point8& point) const {
+  const Float8 turned = point.u * view.angle + view.k;
+  Float8 cosine, sine;
+  for (int i = 0; i < lane_count; ++i) {
+    cosine[i] = std::cos(turned[i]);
+    sine[i] = std::sin(turned[i]);
+  }
+  const Float8 f = (cosine * view.b0 - view.b1) / sine;
+  const Float8 root = 1.0f / sqrt(f * f + view.b0 * view.b0);
+  const Float8 cu = min(max(select(f > 0.0f, root, -root), broadcast(-1)), broadcast(1));
+  Float8 x = -(cu * view.z) / sqrt(max(1.0f - cu * cu, broadcast(1e-12F)));
+  x = min(max(x, view.x0), view.x1);
+  const Float8 squared = x * x + view.z * view.z;
+  const Float8 h0 = view.y0 / sqrt(squared + view.y0 * view.y0);
+  const Float8 h1 = view.y1 / sqrt(squared + view.y1 * view.y1);
+  const Float8 h = h0 + point.v * (h1 - h0), left = 1.0f - h * h;
+  Float8 y = select(left > 1e-6f, h * sqrt(squared) / sqrt(max(left, broadcast(1e-12F))), view.y1);
+  y = min(max(y, view.y0), view.y1);
+  return to_lanes(x_) * x + to_lanes(y_) * y + to_lanes(normal_) * view.z;
+}
+
+/// Even in area, from the middle.
+Vec8 SurfaceLight::point_of(const Point8& point) const {
+  if (shape_ == Shape::quad)
+    return to_lanes(u_) * (point.u - 0.5f) + to_lanes(v_) * (point.v - 0.5f);
+  Float8 cosine, sine;
+  turn(point.v, cosine, sine);
+  const Float8 radius = sqrt(point.u) * 0.5f;
+  return to_lanes(u_) * (radius * cosine) + to_lanes(v_) * (radius * sine);
+}
+
+/// Whether a place of its plane, from its middle, lies on it.
+Int8 SurfaceLight::covers(const Vec8& offset) const {
+  const Float8 a = dot(to_lanes(along_u_), offset), b = dot(to_lanes(along_v_), offset);
+  if (shape_ == Shape::disk) return a * a + b * b <= 0.25f;
+  return (abs(a) <= 0.5f) & (abs(b) <= 0.5f);
+}
+
+Sample8 SurfaceLight::sample(const View& view, const Point8& point) const {
+  if (shape_ == Shape::sphere) return sample_sphere(view, point);
+  const Vec8 to_middle = to_lanes(middle_) - view.at;
+  Vec8 way = to_middle + point_of(point);
+  Int8 covered = Int8{} - 1;
+  const Int8 near = view.near & view.lanes;
+  if (any(near)) {
+    const Vec8 even = even_point(view, point);
+    way = select(near, even, way);
+    covered = ~near | covers(even - to_middle);
+  }
+  const Float8 squared = dot(way, way), distance = sqrt(squared);
+  const Vec8 direction = way / distance;
+  const Float8 cosine = max(-dot(to_lanes(normal_), direction), Float8{});
+  const Float8 by_area = broadcast(static_cast<float>(area_)) * cosine / squared;
+  const Float8 weight = select(near, view.angle, by_area) * (radiance_ / static_cast<float>(pi));
+  return {direction, distance * reached, select(view.lanes & covered, weight, Float8{})};
+}
+
+/// Even in the cone that it fills: P. Shirley, C. Wang and K. Zimmerman, "Monte Carlo Techniques
+/// for Direct Lighting Calculations", ACM TOG 15(1), 1996, 3.2.4.
+Sample8 SurfaceLight::sample_sphere(const View& view, const Point8& point) const {
+  const Float8 versine = point.u * view.cone, sine_squared = versine * (2.0f - versine);
+  const Float8 across = sqrt(sine_squared), along = 1.0f - versine;
+  Float8 cosine, sine;
+  turn(point.v, cosine, sine);
+  Vec8 s, t;
+  basis(view.axis, s, t);
+  const Vec8 direction = s * (across * cosine) + t * (across * sine) + view.axis * along;
+  // To its front: d cos α − √(r² − d² sin² α).
+  const Float8 left =
+      static_cast<float>(radius_ * radius_) - view.distance * view.distance * sine_squared;
+  const Float8 reach = view.distance * along - sqrt(max(left, Float8{}));
+  const Float8 weight = 2.0f * radiance_ * view.cone;  // Ω = 2π (1 − cos)
+  return {direction, reach * reached, select(view.lanes, weight, Float8{})};
+}
+
+Float8 SurfaceLight::meet(const Vec8& origin, const Vec8& direction) const {
+  const Vec8 way = to_lanes(middle_) - origin;
+  if (shape_ == Shape::sphere) {
+    const Float8 along = dot(way, direction);
+    const Vec8 off = way - direction * along;
+    const Float8 left = static_cast<float>(radius_ * radius_) - dot(off, off);
+    const Float8 distance = along - sqrt(max(left, Float8{}));
+    return select((left >= 0.0f) & (distance > 0.0f), distance, broadcast(infinity));
+  }
+  const Vec8 normal = to_lanes(normal_);
+  const Float8 towards = dot(normal, direction);
+  const Float8 distance = dot(normal, way) / towards;
+  const Int8 met = (towards < 0.0f) & (distance > 0.0f) & covers(direction * distance - way);
+  return select(met, distance, broadcast(infinity));
+}
+
+}  // namespace metamer::cpu::soft

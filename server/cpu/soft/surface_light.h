@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+
+#include "server/cpu/lanes.h"
+#include "server/cpu/soft/pattern.h"
+#include "server/scene/render_scene.h"
+
+namespace metamer::cpu::soft {
+
+/// Light from some point of a light: what shaders/lights/incident.glsl has of a place. The weight
+/// is that of the light's luminance, of a perfect white that faces it: L Ω / π of a point that
+/// stands for the solid angle Ω.
+struct Sample8 {
+  Vec8 direction;
+  Float8 reach, weight;
+};
+
+/// A quad, disk or sphere that shines alike in all directions before it, as E[3.2-4] has luminance:
+/// seen from the front it has the luminance L. It hides nothing, and from behind is not there.
+class SurfaceLight {
+ public:
+  explicit SurfaceLight(const RenderLight& light);
+
+  /// How it is seen from eight points, for all samples there.
+  struct View {
+    Vec8 at;
+    Int8 lanes;             ///< Those to which it shines.
+    Int8 near;              ///< Those whose samples are even in solid angle, by Ureña et al.
+    Vec8 axis;              ///< A sphere's: to its middle, unit.
+    Float8 distance, cone;  ///< A sphere's: to its middle; 1 − cosine of its half-angle.
+    Float8 x0, x1, y0, y1, z, b0, b1, k, angle;  ///< A quad's, as their paper names them.
+  };
+  View view(const Vec8& at, Int8 active) const;
+  /// Lanes outside view.lanes have no weight.
+  Sample8 sample(const View& view, const Point8& point) const;
+
+  /// Where rays meet its front, beyond 0; infinity: nowhere.
+  Float8 meet(const Vec8& origin, const Vec8& direction) const;
+
+  float radiance() const { return radiance_; }  ///< L by the light's luminance.
+
+ private:
+  enum class Shape { quad, disk, sphere };
+
+  void view_sphere(View& view) const;
+  void view_quad(View& view) const;
+  Sample8 sample_sphere(const View& view, const Point8& point) const;
+  /// A point of the rectangle around it: what lies outside has no weight.
+  Vec8 even_point(const View& view, const Point8& point) const;
+  Vec8 point_of(const Point8& point) const;
+  Int8 covers(const Vec8& offset) const;
+
+  Shape shape_;
+  Eigen::Vector3d middle_, normal_;  ///< Of a sphere no normal.
+  double radius_ = 0, area_ = 0;
+  // The rectangle around a quad or disk: corner + a x + b y, of these lengths.
+  Eigen::Vector3d corner_, x_, y_;
+  double length_x_ = 0, length_y_ = 0;
+  Eigen::Vector3d u_, v_;              ///< A quad's sides,
+  Eigen::Vector3d along_u_, along_v_;  ///< and whose products with a place are a and b there.
+  double least_near_ = 0;              ///< sr
+  float radiance_ = 1;
+};
+
+}  // namespace metamer::cpu::soft
