@@ -187,17 +187,14 @@ std::optional<EmbreeScene> EmbreeScene::build(const RenderScene& scene,
     result.placed_.push_back({.material = object.material,
                               .shading = sphere ? v1::PHONG : object.shading,
                               .mesh = sphere ? nullptr : &scene.meshes[object.mesh],
-                              .to_world = rows(centered.to_world)});
-    if (sphere) result.placed_.back().from_world = rows(object.to_world.inverse());
-    if (object.shape == RenderObject::Shape::plane) {
-      result.placed_.back().plane = true;
+                              .to_world = rows(centered.to_world),
+                              .from_world = rows(object.to_world.inverse()),
+                              .plane = object.shape == RenderObject::Shape::plane});
+    if (result.placed_.back().plane)
       result.planes_.add(static_cast<std::uint32_t>(result.placed_.size() - 1), object);
-      continue;
-    }
-    if (sphere) {
+    else if (sphere)
       result.add_sphere(object);
-      continue;
-    }
+    if (sphere) continue;
     Placed& placed = result.placed_.back();
     for (std::size_t axis = 0; axis < 3; ++axis)
       placed.center[axis] = centers[object.mesh][static_cast<Eigen::Index>(axis)];

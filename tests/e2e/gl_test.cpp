@@ -86,8 +86,9 @@ TEST(Gl, InfoTellsWhatEachBackendHas) {
   const Json sets = daemon.json({"info"})["info"]["capabilities"]["backend_features"];
   ASSERT_EQ(sets.size(), 2u);
   EXPECT_EQ(sets[0]["name"], "cpu");
-  EXPECT_EQ(sets[0]["feature"], Json({"mirrors", "exact_fresnel", "anisotropy", "corner_shading",
-                                      "factors", "textures", "transmission"}));
+  EXPECT_EQ(sets[0]["feature"],
+            Json({"mirrors", "exact_fresnel", "anisotropy", "corner_shading", "factors", "textures",
+                  "area_lights", "environment", "planes", "transmission"}));
   EXPECT_EQ(sets[1]["name"], "gl");
   EXPECT_EQ(sets[1]["feature"],
             Json({"exact_fresnel", "anisotropy", "corner_shading", "multi_pass"}));
