@@ -1,9 +1,12 @@
 #include "scripted_worker.h"
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "worker_script.h"
@@ -144,17 +147,22 @@ void WorkerProcess::send(v1::WorkerEnvelope message) {
   if (fuzz::Worker* worker = state_of(this)) worker->orders.push_back(std::move(message));
 }
 
+/// Black, and no memory until it is looked at.
 bool WorkerProcess::size_film(std::uint64_t bytes) {
   release_film();
-  mapped_ = ::operator new(bytes);
+  void* const memory =
+      ::mmap(nullptr, bytes, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (memory == MAP_FAILED) return false;
+  mapped_ = memory;
   mapped_bytes_ = bytes;
-  std::fill_n(static_cast<char*>(mapped_), bytes, char{0x3f});
   return true;
 }
 
 void WorkerProcess::release_film() { unmap_film(); }
 
-void WorkerProcess::unmap_film() { ::operator delete(std::exchange(mapped_, nullptr)); }
+void WorkerProcess::unmap_film() {
+  if (mapped_) ::munmap(std::exchange(mapped_, nullptr), mapped_bytes_);
+}
 
 bool WorkerProcess::write_film(std::uint64_t offset, const void*, std::size_t bytes) {
   return offset + bytes <= mapped_bytes_;

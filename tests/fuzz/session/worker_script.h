@@ -24,7 +24,6 @@ struct Worker {
   std::string killed_for;  // or empty
   bool ready = false;
   bool dies = false;
-  std::uint64_t film_bytes = 0;
   std::deque<v1::WorkerEnvelope> orders;
   std::uint64_t job = 0;
   Script script;
