@@ -127,6 +127,13 @@ int start(const WorkerCommand& command, int socket, int film, pid_t& pid) {
   return error;
 }
 
+/// Of what earlier jobs left there. By a hole: it can't become shorter, and the worker may still
+/// have all of it mapped.
+bool clear(int film) {
+  const off_t size = ::lseek(film, 0, SEEK_END);
+  return size == 0 || ::fallocate(film, FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, 0, size) == 0;
+}
+
 bool is_shortage(int error) {
   return error == EMFILE || error == ENFILE || error == EAGAIN || error == ENOMEM ||
          error == ENOBUFS || error == ENOSPC;
@@ -286,11 +293,10 @@ bool WorkerProcess::ran_out_of_memory(bool kernel) const {
 }
 
 bool WorkerProcess::size_film(std::uint64_t bytes) {
-  release_film();
-  const off_t size = ::lseek(film_, 0, SEEK_END);
-  if (static_cast<std::uint64_t>(size) < bytes &&
-      ::ftruncate(film_, static_cast<off_t>(bytes)) != 0)
-    return false;
+  unmap_film();
+  if (!clear(film_)) return false;
+  const auto size = static_cast<off_t>(bytes);
+  if (::lseek(film_, 0, SEEK_END) < size && ::ftruncate(film_, size) != 0) return false;
   void* const memory = ::mmap(nullptr, bytes, PROT_READ, MAP_SHARED, film_, 0);
   if (memory == MAP_FAILED) return false;
   mapped_ = memory;
@@ -304,9 +310,7 @@ void WorkerProcess::unmap_film() {
 
 void WorkerProcess::release_film() {
   unmap_film();
-  const off_t size = ::lseek(film_, 0, SEEK_END);
-  // A hole: it can't become shorter, and the worker may still have all of it mapped.
-  if (size > 0) ::fallocate(film_, FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, 0, size);
+  (void)clear(film_);
 }
 
 bool WorkerProcess::write_film(std::uint64_t offset, const void* from, std::size_t bytes) {

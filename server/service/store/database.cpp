@@ -149,7 +149,8 @@ Database Database::to_read(const std::filesystem::path& file) {
     Database shared(file.string(), SQLITE_OPEN_READONLY);
     shared.run(touch);
     return shared;
-  } catch (const DatabaseError&) {
+  } catch (const DatabaseError& error) {
+    if (!error.is_broken() && !error.is_full()) throw;
     // No daemon has made the index of its log, and there may be no room for one, or no leave.
   }
   std::error_code error;

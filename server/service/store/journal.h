@@ -28,8 +28,8 @@ struct StoreTrouble {
 /// (group commit). All but the constructor's thread is the loop's.
 class Journal {
  public:
-  /// Runs on the journal's thread, inside a transaction. May run twice, the first time in one that
-  /// was undone: whatever it does beside the database has to be the same then. Throws
+  /// Runs on the journal's thread, inside a transaction. May run several times, all but the last in
+  /// one that was undone: whatever it does beside the database has to be the same then. Throws
   /// DatabaseError, std::system_error.
   using Work = std::function<void(Database&)>;
   /// Runs on the loop, once the work is on the disk or can't be.
