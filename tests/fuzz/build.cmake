@@ -5,7 +5,7 @@ if(NOT CLANG)
   message(FATAL_ERROR "The fuzz targets need Clang: apt install clang libclang-rt-14-dev")
 endif()
 file(MAKE_DIRECTORY ${SOURCE}/build)
-file(LOCK ${SOURCE}/build/fuzz.lock TIMEOUT 1100)
+file(LOCK ${SOURCE}/build/fuzz.lock TIMEOUT 2300)
 execute_process(COMMAND ${CMAKE_COMMAND} --preset fuzz
   WORKING_DIRECTORY ${SOURCE} COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build --preset fuzz
