@@ -52,6 +52,9 @@ std::vector<JobStore::Kept> read_records(Database& database) {
   return kept;
 }
 
+/// Of tiles that are written at once: a few of the largest.
+constexpr std::size_t most_bytes_due = 4u << 20;
+
 std::uint64_t last_id(Database& database) {
   Statement find = database.prepare("SELECT seq FROM sqlite_sequence WHERE name='jobs'");
   return find.step() ? static_cast<std::uint64_t>(find.integer(0)) : 0;
@@ -77,6 +80,7 @@ Result<std::unique_ptr<JobStore>> JobStore::open(asio::any_io_executor loop,
 }
 
 JobStore::~JobStore() {
+  if (journal_) post_tiles();
   journal_.reset();
   if (lock_ >= 0) ::close(lock_);
 }
@@ -105,6 +109,7 @@ Result<void> JobStore::read(asio::any_io_executor loop) {
     remove_orphans();
     keep_reserve(folder_);
     sync_folder(folder_);
+    loop_ = loop;
     journal_ = std::make_unique<Journal>(std::move(loop), std::move(database));
   } catch (const std::exception& error) {
     return problem("can't open the state's database " + (folder_ / database_name).string() + ": " +
@@ -145,7 +150,7 @@ void JobStore::put(v1::JobRecord record, const TileFile* tiles, Done done) {
       }
     };
   }
-  journal_->post(
+  post(
       [record = std::move(record), sync = std::move(sync)](Database& database) {
         if (sync) sync(database);
         write_record(database, record);
@@ -165,48 +170,72 @@ void JobStore::note(DiskTrouble& of, const std::optional<StoreTrouble>& trouble)
 
 void JobStore::put_usage(v1::Backend backend, std::vector<KeptLead> leads,
                          std::vector<KeptWork> work, std::int64_t first) {
-  journal_->post(
-      [backend, first, leads = std::move(leads), work = std::move(work)](Database& database) {
-        write_leads(database, backend, leads);
-        write_work(database, work, first);
-      });
+  post([backend, first, leads = std::move(leads), work = std::move(work)](Database& database) {
+    write_leads(database, backend, leads);
+    write_work(database, work, first);
+  });
 }
 
 void JobStore::remove(std::uint64_t id) {
-  journal_->post([id](Database& database) {
+  post([id](Database& database) {
     Statement forget = database.prepare("DELETE FROM jobs WHERE id=?");
     forget.bind(1, static_cast<std::int64_t>(id)).run();
   });
   remove_tiles(id);
 }
 
+/// In the order in which all was asked for.
+void JobStore::post(Journal::Work work, Done done) {
+  post_tiles();
+  journal_->post(std::move(work), std::move(done));
+}
+
 void JobStore::write_tile(const TileFile& file, std::uint64_t offset, std::string record,
                           Done done) {
-  const std::uint64_t bytes = record.size();
+  const auto goes_on = [&](const Tiles& due) {
+    return due.lost == file.lost() && due.offset + due.records.size() == offset &&
+           due.records.size() < most_bytes_due;
+  };
+  if (tiles_due_ && !goes_on(*tiles_due_)) post_tiles();
+  if (!tiles_due_) {
+    tiles_due_ = Tiles{file.path(), file.lost(), offset, {}, {}};
+    asio::post(*loop_, [this, alive = std::weak_ptr(alive_)] {
+      if (!alive.expired()) post_tiles();
+    });
+  }
+  tiles_due_->records += record;
+  tiles_due_->done.push_back(std::move(done));
+}
+
+void JobStore::post_tiles() {
+  if (!tiles_due_) return;
+  Tiles due = *std::exchange(tiles_due_, std::nullopt);
+  const std::uint64_t bytes = due.records.size();
   journal_->post(
-      [path = file.path(), lost = file.lost(), offset, record = std::move(record),
-       only_this = false](Database&) mutable {
+      [path = std::move(due.path), lost = due.lost, offset = due.offset,
+       records = std::move(due.records), only_these = false](Database&) mutable {
         try {
-          TileFile::write(path, offset, record);
-          if (only_this) *lost = false;  // it was tried again, with more room
+          TileFile::write(path, offset, records);
+          if (only_these) *lost = false;  // it was tried again, with more room
         } catch (const std::system_error&) {
-          only_this = !lost->exchange(true) || only_this;
+          only_these = !lost->exchange(true) || only_these;
           throw;
         }
       },
-      [this, bytes, done = std::move(done)](const std::optional<StoreTrouble>& trouble) {
-        // One that is taken does not say that the others were: see try_again().
+      [this, bytes, all = std::move(due.done)](const std::optional<StoreTrouble>& trouble) {
+        // What is taken does not say that the others were: see try_again().
         if (trouble) {
           refused_bytes_ = bytes;
           note(tiles_, trouble);
         }
-        if (done) done(trouble);
+        for (const Done& done : all)
+          if (done) done(trouble);
       });
 }
 
 void JobStore::try_again(std::function<void()> again) {
   if (!trouble() || std::exchange(tries_, true)) return;
-  journal_->post(
+  post(
       [folder = folder_, path = folder_ / "jobs" / "try",
        bytes = refused_bytes_](Database& database) {
         database.run("UPDATE meta SET value=value");
@@ -217,7 +246,7 @@ void JobStore::try_again(std::function<void()> again) {
         tries_ = false;
         if (trouble) return;
         again();
-        journal_->post({}, [this, before = refusals_](const std::optional<StoreTrouble>& last) {
+        post({}, [this, before = refusals_](const std::optional<StoreTrouble>& last) {
           if (last || refusals_ != before) return;
           rows_.taken();
           tiles_.taken();
@@ -226,13 +255,13 @@ void JobStore::try_again(std::function<void()> again) {
 }
 
 void JobStore::cut_tiles(std::uint64_t id, std::uint64_t size) {
-  journal_->post([path = tile_path(id), size](Database&) { TileFile::cut(path, size); });
+  post([path = tile_path(id), size](Database&) { TileFile::cut(path, size); });
 }
 
 /// After the row that says so is on the disk: a transaction of its own comes later.
 void JobStore::remove_tiles(std::uint64_t id) {
-  journal_->post({}, [this, id](const std::optional<StoreTrouble>& trouble) {
-    if (!trouble) journal_->post([path = tile_path(id)](Database&) { TileFile::remove(path); });
+  post({}, [this, id](const std::optional<StoreTrouble>& trouble) {
+    if (!trouble) post([path = tile_path(id)](Database&) { TileFile::remove(path); });
   });
 }
 

@@ -61,15 +61,18 @@ class JobStore {
   /// Forgets a job, then its tiles.
   void remove(std::uint64_t id);
   std::unique_ptr<TileFile> tiles(std::uint64_t id) const;
+  /// Writes a record of a tile; those of one file that come in one turn of the loop are written at
+  /// once.
   void write_tile(const TileFile& file, std::uint64_t offset, std::string record, Done done);
   /// Cuts a job's tiles off behind `size` bytes; they are void.
   void cut_tiles(std::uint64_t id, std::uint64_t size);
   void remove_tiles(std::uint64_t id);
 
   /// Once all that was asked for so far has been carried out.
-  void settle(Done done) { journal_->post({}, std::move(done)); }
+  void settle(Done done) { post({}, std::move(done)); }
   /// The same for other files and tables of the state.
   asio::awaitable<std::optional<StoreTrouble>> carry_out(Journal::Work work) {
+    post_tiles();
     return journal_->carry_out(std::move(work));
   }
   /// Why jobs or tiles can't be kept; nothing while they can.
@@ -85,11 +88,22 @@ class JobStore {
   }
 
  private:
+  /// Records that follow each other in a file.
+  struct Tiles {
+    std::filesystem::path path;
+    std::shared_ptr<std::atomic<bool>> lost;
+    std::uint64_t offset = 0;
+    std::string records;
+    std::vector<Done> done;
+  };
+
   explicit JobStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
   Result<void> lock();
   Result<void> read(asio::any_io_executor loop);
   void remove_orphans();
   void note(DiskTrouble& of, const std::optional<StoreTrouble>& trouble);
+  void post(Journal::Work work, Done done = {});
+  void post_tiles();
   std::filesystem::path tile_path(std::uint64_t id) const;
 
   std::filesystem::path folder_;
@@ -104,6 +118,9 @@ class JobStore {
   std::uint64_t refused_bytes_ = 0;  // of the last tile that was
   bool tries_ = false;               // try_again() is under way
   std::unique_ptr<Journal> journal_;
+  std::optional<asio::any_io_executor> loop_;
+  std::optional<Tiles> tiles_due_;  // that the journal has not been given yet
+  std::shared_ptr<int> alive_ = std::make_shared<int>(0);  // watched by what was posted to the loop
 };
 
 }  // namespace metamer::service
