@@ -66,6 +66,8 @@ std::string scene_fault(const v1::SceneFactors& scene) {
   }
   for (const auto& interface : scene.interface())
     if (!is_spectrum(interface.n())) return "an interface has no sound spectrum";
+  for (const auto& window : scene.window())
+    if (!is_spectrum(window)) return "a bundle of wavelengths has no sound spectrum";
   return observer_fault_in(scene);
 }
 

@@ -28,6 +28,7 @@ std::vector<double> corners_of(const FactorSources& sources) {
     if (!material.constants->k.nm.empty()) spectra.push_back(&material.constants->k);
   }
   for (const OpticalConstants* interface : sources.interfaces) spectra.push_back(&interface->n);
+  spectra.insert(spectra.end(), sources.windows.begin(), sources.windows.end());
   return cell_edges(spectra);
 }
 

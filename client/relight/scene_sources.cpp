@@ -18,6 +18,8 @@ SceneSources::SceneSources(const v1::SceneFactors& scene) {
     if (from.has_transmittance())
       material.transmittance = &spectra_.emplace_back(to_spectrum(from.transmittance()));
   }
+  for (const v1::SampledSpectrum& from : scene.window())
+    factors_.windows.push_back(&spectra_.emplace_back(to_spectrum(from)));
   for (const v1::SampledConstants& from : scene.interface())
     factors_.interfaces.push_back(
         &constants_.emplace_back(OpticalConstants{to_spectrum(from.n()), {}}));

@@ -14,14 +14,15 @@ bool is_grey(const Spectrum& spectrum) {
 
 ChainBands::ChainBands(const std::vector<Spectrum>& curves, unsigned times,
                        const std::vector<const Spectrum*>& surfaces,
-                       const std::vector<SeenLight>& lights)
+                       const std::vector<SeenLight>& lights,
+                       const std::vector<const Spectrum*>& once)
     : edges(bend_edges(surfaces, lights)) {
   std::vector<const Spectrum*> coloured;
   for (const Spectrum& curve : curves)
     if (!is_grey(curve)) coloured.push_back(&curve);
   curve_count = coloured.size();
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    panels[axis] = chain_panels(coloured, times, lights, axis);
+    panels[axis] = chain_panels(coloured, times, lights, axis, once);
     const std::vector<double> nodes = panels[axis].nodes();
     nm.insert(nm.end(), nodes.begin(), nodes.end());
     first[axis + 1] = nm.size();

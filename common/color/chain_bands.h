@@ -9,9 +9,11 @@ namespace metamer {
 /// of Z.
 struct ChainBands {
   ChainBands() = default;
-  /// Chains are of up to `times` of `curves`; each of `surfaces` is a line between its samples.
+  /// Chains are of up to `times` of `curves` and one of `once`; each of `surfaces` is a line
+  /// between its samples.
   ChainBands(const std::vector<Spectrum>& curves, unsigned times,
-             const std::vector<const Spectrum*>& surfaces, const std::vector<SeenLight>& lights);
+             const std::vector<const Spectrum*>& surfaces, const std::vector<SeenLight>& lights,
+             const std::vector<const Spectrum*>& once = {});
 
   std::array<Panels, 3> panels;
   std::vector<double> nm;              ///< Of the bands, the nodes of the panels.

@@ -27,7 +27,8 @@ double power(double value, unsigned exponent) {
 class PanelChoice {
  public:
   PanelChoice(const std::vector<const Spectrum*>& curves, unsigned times,
-              const std::vector<SeenLight>& lights, std::size_t axis);
+              const std::vector<SeenLight>& lights, std::size_t axis,
+              const std::vector<const Spectrum*>& once);
 
   Panels choose();
 
@@ -51,16 +52,24 @@ class PanelChoice {
   std::vector<double> ends_;  ///< Where panels may end.
 };
 
+std::vector<const Spectrum*> together(std::vector<const Spectrum*> some,
+                                      const std::vector<const Spectrum*>& more) {
+  some.insert(some.end(), more.begin(), more.end());
+  return some;
+}
+
 PanelChoice::PanelChoice(const std::vector<const Spectrum*>& curves, unsigned times,
-                         const std::vector<SeenLight>& lights, std::size_t axis)
-    : grid_(dense_nm(curves)), ends_(cell_edges(curves)) {
+                         const std::vector<SeenLight>& lights, std::size_t axis,
+                         const std::vector<const Spectrum*>& once)
+    : grid_(dense_nm(together(curves, once))), ends_(cell_edges(together(curves, once))) {
   const SeenAmounts amounts(lights, grid_);
   std::vector<unsigned> powers{1};
   for (const unsigned more : {static_cast<unsigned>(std::lround(std::sqrt(times))), times})
     if (more > powers.back()) powers.push_back(more);
-  for (const Spectrum* spectrum : curves) {
+  for (const Spectrum* spectrum : together(curves, once)) {
+    const bool is_once = curves_.size() >= curves.size();
     curves_.push_back(resample(*spectrum, grid_, Outside::hold).values);
-    for (const unsigned one : powers) {
+    for (const unsigned one : is_once ? std::vector<unsigned>{1} : powers) {
       std::vector<double> values = curves_.back();
       for (double& value : values) value = power(value, one);
       probes_.push_back({curves_.size() - 1, one, amounts.shares(values, {axis})});
@@ -187,9 +196,11 @@ std::vector<double> relative_bends(const std::vector<const Spectrum*>& spectra,
 }  // namespace
 
 Panels chain_panels(const std::vector<const Spectrum*>& curves, unsigned times,
-                    const std::vector<SeenLight>& lights, std::size_t axis) {
-  if (curves.empty() || times == 0) return {{observer_from_nm, observer_to_nm}, {1}};
-  return PanelChoice(curves, times, lights, axis).choose();
+                    const std::vector<SeenLight>& lights, std::size_t axis,
+                    const std::vector<const Spectrum*>& once) {
+  if ((curves.empty() && once.empty()) || times == 0)
+    return {{observer_from_nm, observer_to_nm}, {1}};
+  return PanelChoice(curves, times, lights, axis, once).choose();
 }
 
 std::vector<double> bend_edges(const std::vector<const Spectrum*>& spectra,

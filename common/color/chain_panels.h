@@ -9,9 +9,11 @@ namespace metamer {
 
 /// Panels in which products of up to `times` of `curves`, each as often as one likes, are
 /// polynomials. Right for the X (`axis` 0), Y or Z of each of `lights`, relative to that of the
-/// product itself and its Y. Curves are not below 0 and keep their end values outside.
+/// product itself and its Y. Curves are not below 0 and keep their end values outside. Of `once` a
+/// product holds one, by itself.
 Panels chain_panels(const std::vector<const Spectrum*>& curves, unsigned times,
-                    const std::vector<SeenLight>& lights, std::size_t axis);
+                    const std::vector<SeenLight>& lights, std::size_t axis,
+                    const std::vector<const Spectrum*>& once = {});
 
 /// Edges between which each of `spectra` is a line.
 std::vector<double> bend_edges(const std::vector<const Spectrum*>& spectra,

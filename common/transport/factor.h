@@ -15,7 +15,7 @@ enum class FactorKind : std::uint8_t {
 /// the `node`-th of the table of a kind's `index`-th member. White and spectra have one node.
 struct FactorNode {
   FactorKind kind;
-  std::uint32_t index;  ///< What of the scene: of white 0, an interface, else a material.
+  std::uint32_t index;  ///< What of the scene: of white 0, an interface, a bundle, else a material.
   std::uint32_t node;
 
   friend auto operator<=>(const FactorNode&, const FactorNode&) = default;

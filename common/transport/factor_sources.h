@@ -19,6 +19,7 @@ struct FactorSources {
   std::vector<Material> materials;
   /// Where two media touch: n of the denser one (at the d line) by that of the other. No k.
   std::vector<const OpticalConstants*> interfaces;
+  std::vector<const Spectrum*> windows;  ///< Bundles of wavelengths, whose sum is 1.
 };
 
 }  // namespace metamer

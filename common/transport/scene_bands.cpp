@@ -73,7 +73,7 @@ SceneBands::SceneBands(const FactorSources& sources,
   std::vector<SeenLight> lights;
   for (const Spectrum* emission : emissions) lights.emplace_back(observer, *emission, edges);
   // Where the surface itself is no line, it is one more of the chain.
-  bands_ = ChainBands(parts.curves, depth + 1, parts.surfaces, lights);
+  bands_ = ChainBands(parts.curves, depth + 1, parts.surfaces, lights, sources.windows);
   for (const SeenLight& light : lights) sensors_.emplace_back(light, bands_);
 }
 

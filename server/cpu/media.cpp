@@ -4,6 +4,7 @@
 #include <map>
 
 #include "server/cpu/shared_source.h"
+#include "server/scene/bundles.h"
 #include "server/scene/media.h"
 
 namespace metamer::cpu {
@@ -35,7 +36,8 @@ void copy_surface(Hits& to, const Hits& from, unsigned lane) {
 
 }  // namespace
 
-Media::Media(const RenderScene& scene, const EmbreeScene& geometry) : geometry_(geometry) {
+Media::Media(const RenderScene& scene, const EmbreeScene& geometry)
+    : geometry_(geometry), bundles_(static_cast<std::uint32_t>(scene.windows.size())) {
   rank(scene);
   find_sides(scene);
   find_eye(scene);
@@ -71,8 +73,16 @@ void Media::rank(const RenderScene& scene) {
     if (is_one(scene.constants[one.constants].n)) continue;
     const std::uint8_t rare = rank_of.at(one.rare), dense = rank_of.at(one.dense);
     const double n = scene.media[one.dense].index / scene.media[one.rare].index;
-    interfaces_[rare * of_.size() + dense] = {i, static_cast<float>(1 / n), true};
-    interfaces_[dense * of_.size() + rare] = {i, static_cast<float>(n), false};
+    Interface in{i, static_cast<float>(1 / n), {}, true}, out{i, static_cast<float>(n), {}, false};
+    if (scene.media[one.rare].dispersion || scene.media[one.dense].dispersion)
+      for (const Spectrum& window : scene.windows) {
+        const double own = index_in(scene, scene.media[one.dense], window) /
+                           index_in(scene, scene.media[one.rare], window);
+        in.ratios.push_back(static_cast<float>(1 / own));
+        out.ratios.push_back(static_cast<float>(own));
+      }
+    interfaces_[rare * of_.size() + dense] = std::move(in);
+    interfaces_[dense * of_.size() + rare] = std::move(out);
   }
 }
 

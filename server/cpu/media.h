@@ -66,15 +66,19 @@ class Media {
 
   /// What light meets that goes from one medium to another, by rank.
   struct Interface {
-    std::uint32_t number;  ///< Index into RenderScene::interfaces.
-    float ratio;           ///< n of the one it comes from by that of the other.
-    bool from_rare;        ///< It comes from the one with the lower n.
+    std::uint32_t number;       ///< Index into RenderScene::interfaces.
+    float ratio;                ///< n of the one it comes from by that of the other.
+    std::vector<float> ratios;  ///< The same in each bundle; empty: it does not disperse.
+    bool from_rare;             ///< It comes from the one with the lower n.
   };
   /// Null: the two have the same n at all wavelengths.
   const Interface* between(std::uint8_t from, std::uint8_t to) const {
     const auto& one = interfaces_[from * of_.size() + to];
     return one ? &*one : nullptr;
   }
+
+  /// Bundles of wavelengths, where one of the media disperses light.
+  std::uint32_t bundles() const { return bundles_; }
 
   /// The material of a medium, and the optical length of a unit of way in it; 0: it is clear.
   std::uint32_t material(std::uint8_t rank) const { return of_[rank].medium->material; }
@@ -109,6 +113,7 @@ class Media {
   std::vector<bool> inwards_;        ///< By object: Embree's normals point inwards.
   std::vector<std::optional<Interface>> interfaces_;  ///< By rank and rank.
   MediaStack of_eye_;
+  std::uint32_t bundles_;
 };
 
 }  // namespace metamer::cpu

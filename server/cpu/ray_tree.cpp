@@ -62,20 +62,32 @@ void RayTree::follow(Branch& branch, std::vector<Branch>& stack, Workspace& work
   shaded.inside = &branch.inside;
   if (any(shaded.active)) shading_.shade(shaded, hits, workspace);
 
-  Children children;
-  for (Branch* child : {&children.reflected, &children.transmitted, &children.straight}) {
-    *child = branch;
-    child->from = packet.hit;
-    child->packet.active = Int8{};
-    child->surfaces = branch.surfaces + 1;
-  }
+  Children children = children_of(branch);
   split(branch, hits, crossing, children, workspace);
   for (unsigned i = 0; i < lane_count; ++i)
     if (packet.active[i] && !crossing.passed[i]) mirror(branch, hits, i, children, workspace);
+  push_all(children, stack, workspace);
+  if (any(children.dispersed))
+    disperse(branch, hits, crossing, children.dispersed, stack, workspace);
+}
+
+/// None of whose paths are active yet.
+RayTree::Children RayTree::children_of(const Branch& branch) const {
+  Children children;
+  for (Branch* child : {&children.reflected, &children.transmitted, &children.straight}) {
+    *child = branch;
+    child->from = branch.packet.hit;
+    child->packet.active = Int8{};
+    child->surfaces = branch.surfaces + 1;
+  }
   for (Branch* child : {&children.reflected, &children.transmitted}) {
     child->depth = branch.depth + 1;
     child->packet.from_eye = false;
   }
+  return children;
+}
+
+void RayTree::push_all(Children& children, std::vector<Branch>& stack, Workspace& workspace) const {
   push(children.straight, stack, workspace);
   push(children.transmitted, stack, workspace);
   push(children.reflected, stack, workspace);
@@ -129,8 +141,10 @@ void RayTree::split(const Branch& branch, const Hits& hits, const Media::Crossin
     const Media::Interface* interface = from == to ? nullptr : media_.between(from, to);
     if (crossing.lost[i] || (interface != nullptr && branch.depth == depth_)) {
       end(branch, i, workspace.beyond_depth);
+    } else if (interface != nullptr && !interface->ratios.empty() && branch.bundle[i] < 0) {
+      children.dispersed[i] = -1;
     } else if (interface != nullptr) {
-      refract_at(*interface, branch, hits, crossing, i, children, workspace);
+      refract_at(*interface, branch, hits, crossing, i, children, workspace, Parts::both);
     } else {
       set_lane(children.straight.packet.origin, lane_of(crossing.beyond, i), i);
       children.straight.packet.active[i] = -1;
@@ -139,12 +153,51 @@ void RayTree::split(const Branch& branch, const Hits& hits, const Media::Crossin
   }
 }
 
+/// Each bundle of wavelengths on a way of its own, of lanes that have had all of them together.
+void RayTree::disperse(const Branch& branch, const Hits& hits, const Media::Crossing& crossing,
+                       Int8 lanes, std::vector<Branch>& stack, Workspace& workspace) const {
+  const auto between = [&](unsigned lane) -> const Media::Interface& {
+    return *media_.between(branch.inside[lane].top(), crossing.inside[lane].top());
+  };
+  // From the rarer side they are all reflected alike.
+  Children together = children_of(branch);
+  for (unsigned i = 0; i < lane_count; ++i)
+    if (lanes[i] && between(i).from_rare)
+      refract_at(between(i), branch, hits, crossing, i, together, workspace, Parts::reflected);
+  push_all(together, stack, workspace);
+
+  const std::uint32_t bundles = media_.bundles();
+  for (std::uint32_t bundle = 0; bundle < bundles; ++bundle) {
+    Branch own = branch;
+    own.packet.active = lanes;
+    own.importance /= static_cast<float>(bundles);
+    for (unsigned i = 0; i < lane_count; ++i) {
+      if (!lanes[i]) continue;
+      own.bundle[i] = static_cast<int>(bundle);
+      own.packet.chain[i] = workspace.gathers[own.packet.pixel[i]].chain(
+          own.packet.chain[i], {FactorKind::window, bundle, 0});
+    }
+    Children children = children_of(own);
+    for (unsigned i = 0; i < lane_count; ++i) {
+      if (!lanes[i]) continue;
+      const Media::Interface& interface = between(i);
+      refract_at(interface, own, hits, crossing, i, children, workspace,
+                 interface.from_rare ? Parts::transmitted : Parts::both);
+    }
+    push_all(children, stack, workspace);
+  }
+}
+
 void RayTree::refract_at(const Media::Interface& interface, const Branch& branch, const Hits& hits,
                          const Media::Crossing& crossing, unsigned lane, Children& children,
-                         Workspace& workspace) const {
+                         Workspace& workspace, Parts parts) const {
   const Packet& packet = branch.packet;
-  const Refraction bent = refract(lane_of(packet.direction, lane), lane_of(hits.normal, lane),
-                                  lane_of(hits.geometric_normal, lane), interface.ratio);
+  const Refraction bent =
+      refract(lane_of(packet.direction, lane), lane_of(hits.normal, lane),
+              lane_of(hits.geometric_normal, lane),
+              branch.bundle[lane] < 0 || interface.ratios.empty()
+                  ? interface.ratio
+                  : interface.ratios[static_cast<std::size_t>(branch.bundle[lane])]);
   Gather& gather = workspace.gathers[packet.pixel[lane]];
   const float cosine = interface.from_rare ? bent.cosine_from : bent.cosine_to;
   const auto go_on = [&](Branch& child, const Eigen::Vector3f& direction, const Vec8& origin) {
@@ -157,9 +210,11 @@ void RayTree::refract_at(const Media::Interface& interface, const Branch& branch
     if (child.importance[lane] * packet.throughput[lane] < cutoff_) return;  // push() ends it
     child.packet.chain[lane] = gather.chain(packet.chain[lane], {kind, interface.number, cosine});
   };
-  go_on(children.reflected, bent.reflected, packet.point);
-  if (bent.is_total) return;
-  weigh(children.reflected, FactorKind::reflect, bent.fresnel);
+  if (parts != Parts::transmitted) {
+    go_on(children.reflected, bent.reflected, packet.point);
+    if (!bent.is_total) weigh(children.reflected, FactorKind::reflect, bent.fresnel);
+  }
+  if (bent.is_total || parts == Parts::reflected) return;
   go_on(children.transmitted, bent.transmitted, crossing.beyond);
   children.transmitted.inside[lane] = crossing.inside[lane];
   weigh(children.transmitted, FactorKind::transmit, 1 - bent.fresnel);

@@ -27,13 +27,17 @@ class RayTree {
     MediaStacks inside{};
     Vec8 from{};                                ///< Where it met the surface before, or the eye.
     Float8 importance = metamer::broadcast(1);  ///< The most that the path counts, about.
+    Int8 bundle = Int8{} - 1;                   ///< Of wavelengths; -1: all of them.
     unsigned depth = 0;                         ///< Reflections and refractions so far.
     unsigned surfaces = 0;                      ///< With those that changed nothing.
   };
   /// Where the paths of a branch go on.
   struct Children {
     Branch reflected, transmitted, straight;
+    Int8 dispersed{};  ///< Lanes that split into bundles first.
   };
+
+  enum class Parts { reflected, transmitted, both };
 
   void follow(Branch& branch, std::vector<Branch>& stack, Workspace& workspace) const;
   void see(const Branch& branch, Hits& hits, Workspace& workspace) const;
@@ -42,12 +46,16 @@ class RayTree {
                     Int8 clear) const;
   void split(const Branch& branch, const Hits& hits, const Media::Crossing& crossing,
              Children& children, Workspace& workspace) const;
+  void disperse(const Branch& branch, const Hits& hits, const Media::Crossing& crossing, Int8 lanes,
+                std::vector<Branch>& stack, Workspace& workspace) const;
   void refract_at(const Media::Interface& interface, const Branch& branch, const Hits& hits,
                   const Media::Crossing& crossing, unsigned lane, Children& children,
-                  Workspace& workspace) const;
+                  Workspace& workspace, Parts parts) const;
   void mirror(const Branch& branch, const Hits& hits, unsigned lane, Children& children,
               Workspace& workspace) const;
   static void end(const Branch& branch, unsigned lane, double& sum);
+  Children children_of(const Branch& branch) const;
+  void push_all(Children& children, std::vector<Branch>& stack, Workspace& workspace) const;
   void push(Branch& child, std::vector<Branch>& stack, Workspace& workspace) const;
 
   const RenderScene& scene_;

@@ -132,6 +132,7 @@ v1::SceneFactors scene_factors(const RenderScene& scene) {
   }
   for (const RenderInterface& interface : scene.interfaces)
     set_constants(scene.constants[interface.constants], *factors.add_interface());
+  for (const Spectrum& window : scene.windows) set_spectrum(window, *factors.add_window());
   return factors;
 }
 

@@ -1,5 +1,6 @@
 #include "server/methods/exact.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "common/transport/fold.h"
@@ -18,6 +19,7 @@ class Exact : public Method {
     explicit Carriers(const ExactTables& tables)
         : sensors(tables), by_emission(tables.bands.lights()) {}
     std::vector<float> values;
+    std::vector<char> is_filled;  ///< By chain: some light is in its bands.
     MetSensors sensors;
     std::vector<LobeWeights> by_emission;
   };
@@ -28,14 +30,16 @@ class Exact : public Method {
   std::array<float, 3> resolve(const Gather& gather, float scale, Scratch& scratch) const override {
     auto& carriers = static_cast<Carriers&>(scratch);
     const std::size_t chains = gather.chains().size();
-    carriers.values.assign(chains > 1 ? chains * stride() : 0, 0.0f);
+    if (chains > 1 && carriers.values.size() < chains * stride())
+      carriers.values.resize(chains * stride());
+    carriers.is_filled.assign(chains, false);
     carriers.sensors.bound();
     Fold carrier{{}, *this, carriers, {}};
     fold(gather, carrier);
     const auto& first = tables_.bands.bands().first;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const float* seen = carriers.values.data();
-      if (chains > 1)
+      if (carriers.is_filled[0])
         carrier.xyz[axis] =
             std::accumulate(seen + first[axis], seen + first[axis + 1], carrier.xyz[axis]);
       carrier.xyz[axis] *= scale;
@@ -61,7 +65,10 @@ class Exact : public Method {
     std::array<float, 3> xyz;
 
     float* carrier(std::uint32_t chain) const {
-      return carriers.values.data() + chain * method.stride();
+      float* values = carriers.values.data() + chain * method.stride();
+      if (!carriers.is_filled[chain]) std::fill_n(values, method.stride(), 0.0f);
+      carriers.is_filled[chain] = true;
+      return values;
     }
 
     void lobes(std::uint32_t chain, std::uint32_t material, std::span<const LobeWeights> weights) {
@@ -107,6 +114,7 @@ class Exact : public Method {
     }
 
     void leave(std::uint32_t chain, std::uint32_t parent, const Factor& factor) {
+      if (!carriers.is_filled[chain]) return;
       band_loops::add_over(method.stride(), carrier(parent), carrier(chain), method.tables_.values,
                            method.tables_.rows.mix(factor));
     }

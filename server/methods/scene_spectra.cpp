@@ -42,6 +42,7 @@ std::vector<double> surface_edges(const RenderScene& scene) {
     spectra.push_back(&constants.n);
     spectra.push_back(&constants.k);
   }
+  for (const Spectrum& window : scene.windows) spectra.push_back(&window);
   return cell_edges(spectra);
 }
 
@@ -86,6 +87,7 @@ Eigen::MatrixXd mirror_columns(const RenderScene& scene, const Wavelengths& wave
   std::vector<Eigen::VectorXd> columns;
   for (const std::uint32_t i : properties) add(scene.properties[i], wavelengths, columns);
   for (const std::uint32_t i : constants) add(scene.constants[i], wavelengths, columns);
+  for (const Spectrum& window : scene.windows) add(window, wavelengths, columns);
   return to_matrix(columns, static_cast<Eigen::Index>(wavelengths.size()));
 }
 

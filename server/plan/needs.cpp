@@ -128,6 +128,16 @@ void need_rays(const RenderScene& scene, const std::vector<const RenderMaterial*
                         static_cast<unsigned>(scene.interfaces.size())) +
                   named(clear));
 
+  if (!scene.windows.empty())
+    plan.add_need(print("%u bundles of wavelengths, each with a way of its own behind the first "
+                        "surface that disperses: ",
+                        static_cast<unsigned>(scene.windows.size())) +
+                  named(names_of(materials, [&](const RenderMaterial& m) {
+                    return m.medium > 0 && scene.media[m.medium].dispersion;
+                  })));
+  else
+    plan.add_unneeded("bundles of wavelengths: no material disperses light");
+
   const auto bent = names_of(materials, [](const RenderMaterial& m) { return m.anisotropic(); });
   if (bent.empty())
     plan.add_unneeded("tangents: no material is anisotropic");

@@ -8,6 +8,7 @@
 #include "server/plan/features.h"
 #include "server/plan/light_notices.h"
 #include "server/plan/needs.h"
+#include "server/scene/bundles.h"
 #include "server/scene/media.h"
 
 namespace metamer {
@@ -196,6 +197,7 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
   if (!scene.media.empty() && capabilities.features.has(Feature::transmission))
     plan.set_cutoff(settings.cutoff());
   if (looks_at_points(needs)) plan.set_light_samples(settings.light_samples());
+  for (const Spectrum& window : scene.windows) plan.add_bundle(middle_of(window));
   plan.set_threads(settings.threads() == 0 ? capabilities.threads
                                            : std::min(settings.threads(), capabilities.threads));
   plan.set_backend(capabilities.backend);

@@ -14,6 +14,7 @@ Wavelengths Reference::cells(const RenderScene& scene, const Observer& observer)
     spectra.push_back(&constants.n);
     spectra.push_back(&constants.k);
   }
+  for (const Spectrum& window : scene.windows) spectra.push_back(&window);
   return cells_of(spectra);
 }
 

@@ -11,6 +11,7 @@
 #include "common/scene/light.h"
 #include "common/scene/limits.h"
 #include "common/scene/reflection.h"
+#include "common/scene/settings.h"
 #include "common/spectral/lines.h"
 #include "server/scene/environment.h"
 #include "server/scene/light_parameters.h"
@@ -67,6 +68,8 @@ class Compiler {
     problems_ = validate_scene(scene_);
     if (!problems_.empty()) return tl::unexpected(std::move(problems_));
     result_.camera = compile_camera(scene_.camera());
+    result_.pixel_angle =
+        2 * result_.camera.tan_half_fov / with_defaults(scene_.settings()).height();
     observer();
     for (int i = 0; i < scene_.light_size(); ++i) light(i);
     for (int i = 0; i < scene_.material_size(); ++i) material(i);
@@ -149,7 +152,8 @@ class Compiler {
                     .index = index_at_d_line(result_.constants[material.constants].n),
                     .thickness = transmission.has_thickness() ? transmission.thickness() : 0.01,
                     .transmittance = transmittance,
-                    .clear_shadow = transmission.shadow() == v1::Transmission::CLEAR},
+                    .clear_shadow = transmission.shadow() == v1::Transmission::CLEAR,
+                    .dispersion = transmission.dispersion()},
                    result_);
   }
 

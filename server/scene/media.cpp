@@ -9,6 +9,7 @@
 
 #include "common/scene/absorption_table.h"
 #include "common/scene/limits.h"
+#include "server/scene/bundles.h"
 #include "server/scene/placement.h"
 
 namespace metamer {
@@ -89,6 +90,7 @@ std::uint32_t add_medium(RenderMedium medium, RenderScene& scene) {
 
 std::optional<Problem> find_interfaces(RenderScene& scene, const RenderScene& placed) {
   scene.interfaces.clear();
+  scene.windows.clear();
   if (scene.media.empty()) return {};
   const std::set<Pair> pairs = touching(scene, placed);
   if (pairs.size() > limits::max_interfaces)
@@ -119,6 +121,7 @@ std::optional<Problem> find_interfaces(RenderScene& scene, const RenderScene& pl
     }
     scene.interfaces.push_back(made);
   }
+  choose_windows(scene);
   return {};
 }
 

@@ -85,6 +85,7 @@ struct RenderMedium {
   double thickness = 1;             ///< metres
   std::uint32_t transmittance = 0;  ///< Index into RenderScene::properties, where it absorbs.
   bool clear_shadow = true;         ///< Light reaches what is behind it.
+  bool dispersion = false;          ///< Each of RenderScene::windows goes a way of its own.
 };
 
 /// Where two media may touch.
@@ -133,6 +134,8 @@ struct RenderScene {
   std::vector<OpticalConstants> constants;  ///< Distinct ones of the exact Fresnel terms.
   std::vector<RenderMedium> media;          ///< Those of materials behind air; else empty.
   std::vector<RenderInterface> interfaces;  ///< As far as objects touch (find_interfaces).
+  std::vector<Spectrum> windows;            ///< Bundles of wavelengths; none: all go the same way.
+  double pixel_angle = 1e-3;                ///< Of the settings, radians.
 
   /// The field of the scene that a spectrum was first named in: "material[3].diffuse".
   std::vector<std::string> emission_fields, property_fields, constants_fields;

@@ -19,6 +19,7 @@ FactorSources factor_sources(const RenderScene& scene) {
                                   : nullptr});
   for (const RenderInterface& interface : scene.interfaces)
     sources.interfaces.push_back(&scene.constants[interface.constants]);
+  for (const Spectrum& window : scene.windows) sources.windows.push_back(&window);
   return sources;
 }
 

@@ -53,7 +53,8 @@ class Gather {
 
   /// The chain that continues `parent` by `factor`.
   std::uint32_t chain(std::uint32_t parent, const Factor& factor) {
-    for (std::size_t i = 1; i < chains_.size(); ++i)
+    // Children come after their parent; that of a tree's newest branch is among the newest.
+    for (std::size_t i = chains_.size() - 1; i > parent; --i)
       if (chains_[i].parent == parent && chains_[i].factor == factor)
         return static_cast<std::uint32_t>(i);
     chains_.push_back({parent, factor});
@@ -62,7 +63,7 @@ class Gather {
 
   /// The surface of `material` seen along `chain`.
   std::uint32_t surface(std::uint32_t chain, std::uint32_t material) {
-    for (std::size_t i = 0; i < surfaces_.size(); ++i)
+    for (std::size_t i = surfaces_.size(); i-- > 0;)
       if (surfaces_[i].chain == chain && surfaces_[i].material == material)
         return static_cast<std::uint32_t>(i);
     surfaces_.push_back({chain, material});

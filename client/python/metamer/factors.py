@@ -28,6 +28,7 @@ _HEAD = struct.Struct("<8s4I4Q32s")  # client/relight/factors_file.cpp
 _WHITE, _DIFFUSE, _SPECULAR, _FRESNEL = (factors_pb2.FACTOR_WHITE, factors_pb2.FACTOR_DIFFUSE,
                                          factors_pb2.FACTOR_SPECULAR, factors_pb2.FACTOR_FRESNEL)
 _REFLECT, _TRANSMIT, _ABSORB = factors_pb2.FACTOR_REFLECT, factors_pb2.FACTOR_TRANSMIT, factors_pb2.FACTOR_ABSORB
+_WINDOW = factors_pb2.FACTOR_WINDOW
 _NODES = {_FRESNEL: 512, _REFLECT: 512, _TRANSMIT: 512, _ABSORB: absorption.NODES}  # else 1
 Node = tuple[int, int, int]  # term, material, node
 
@@ -111,7 +112,7 @@ def _signature_colors(factors: Factors, scene: factors_pb2.SceneFactors, observe
         length.append(length[parent] + 1)
     spectra = [Spectrum.from_message(s) for m in scene.material
                for s in (m.diffuse, m.specular, m.constants.n, m.constants.k, m.transmittance) if s.nm]
-    spectra += [Spectrum.from_message(interface.n) for interface in scene.interface]
+    spectra += [Spectrum.from_message(message) for message in (*(i.n for i in scene.interface), *scene.window)]
     at = quadrature([*lights, *observer, *spectra], 3 + max(length))
 
     # What an observer sees of each light, at Y = its luminance: (lights, 3, points).
@@ -150,6 +151,8 @@ class _NodeValues:
         nm = self._at.nm
         if term == _WHITE:
             return np.ones_like(nm)
+        if term == _WINDOW:
+            return Spectrum.from_message(self._scene.window[material]).property_at(nm)
         if term in (_REFLECT, _TRANSMIT):
             reflected = fresnel_at_node(Spectrum.from_message(self._scene.interface[material].n).property_at(nm) + 0j, node)
             return reflected if term == _REFLECT else 1 - reflected
@@ -215,9 +218,10 @@ class FactorsBuilder:
         return np.array(numbers, np.int64)
 
     def _sound(self, term: int, material: int, node: int) -> Node:
-        if term not in (_WHITE, _DIFFUSE, _SPECULAR, *_NODES):
+        if term not in (_WHITE, _DIFFUSE, _SPECULAR, _WINDOW, *_NODES):
             raise ProtocolError(f"a factor is of a kind that this client does not know ({term})")
-        members = self._scene.interface if term in (_REFLECT, _TRANSMIT) else self._scene.material
+        members = {_REFLECT: self._scene.interface, _TRANSMIT: self._scene.interface,
+                   _WINDOW: self._scene.window}.get(term, self._scene.material)
         if term != _WHITE and material >= len(members) or node >= _NODES.get(term, 1):
             raise ProtocolError("a factor names what does not exist")
         return term, material, node

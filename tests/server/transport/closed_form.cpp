@@ -6,6 +6,7 @@
 #include "common/models/reference.h"
 #include "common/scene/fresnel_table.h"
 #include "common/transport/factor_kinds.h"
+#include "server/scene/bundles.h"
 #include "server/transport/factor_rows.h"
 #include "tests/server/test_scene.h"
 
@@ -89,10 +90,11 @@ RenderScene transport_scene() {
         transmittance { samples { wavelength: [400, 500, 700] value: [0.2, 0.9, 0.6] } } thickness: 2
       }
     }
-    material { name: "water" fresnel { dielectric { medium: "water" } } transmission {} }
+    material { name: "water" fresnel { dielectric { medium: "water" } } transmission { dispersion: true } }
     object { name: "o" material: "paint" sphere { radius: 1 } }
     object { name: "p" material: "glass" sphere { radius: 1 } }
-    object { name: "q" material: "water" sphere { radius: 0.5 } })");
+    object { name: "q" material: "water" sphere { radius: 0.5 } }
+    settings { height: 1 })");
 }
 
 Gather random_gather(const RenderScene& scene, std::mt19937& random) {
@@ -148,6 +150,21 @@ Spectra values_of(const RenderScene& scene, const FactorNode& factor, const Spec
         for (double& value : values) value = 1 - value;
       return values;
     }
+    case FactorKind::window: {
+      // A hat from the middle before to the one behind.
+      const auto& windows = scene.windows;
+      const auto middle = [&](std::size_t i) { return middle_of(windows[i]); };
+      const std::size_t b = factor.index;
+      Spectra values;
+      for (const double at : nm) {
+        double value = 1;
+        if (at < middle(b) && b > 0) value = (at - middle(b - 1)) / (middle(b) - middle(b - 1));
+        if (at > middle(b) && b + 1 < windows.size())
+          value = (middle(b + 1) - at) / (middle(b + 1) - middle(b));
+        values.push_back(std::max(value, 0.0));
+      }
+      return values;
+    }
     case FactorKind::absorb: {
       // Of the glass: T^(s/S) where S = −ln 0.2.
       Spectra values = property(scene.media[scene.materials[factor.index].medium].transmittance);
@@ -167,6 +184,7 @@ std::vector<std::pair<FactorNode, double>> nodes_of(const Factor& factor) {
   switch (factor.kind) {
     case FactorKind::white:
     case FactorKind::diffuse:
+    case FactorKind::window:
       return {{node(0), 1}};
     case FactorKind::specular:
       return {{node(0), 1 - std::pow(1 - u, 5)}, {{FactorKind::white, 0, 0}, std::pow(1 - u, 5)}};
