@@ -21,6 +21,8 @@ void check_material(const v1::Material& material, const std::string& field, Find
   check_range(material.mirror(), 0, 1, field + ".mirror", findings);
   check_reflection(material, field, findings);
   if (material.has_texture()) check_texture(material.texture(), field + ".texture", findings);
+  if (material.texture().use() == v1::Texture::RGB && material.has_diffuse())
+    findings.add(field + ".diffuse", "an RGB texture leaves nothing of `diffuse` to be seen");
   if (material.has_fresnel()) check_fresnel(material.fresnel(), field + ".fresnel", findings);
   if (material.has_transmission()) check_transmission(material, field + ".transmission", findings);
 }

@@ -4,15 +4,34 @@
 #include "common/scene/parts.h"
 
 namespace metamer {
+namespace {
+
+void check_colors(const v1::Texture& texture, const std::string& field, Findings& findings) {
+  if (texture.spectrum_size() > 0)
+    findings.add(field + ".spectrum", "an RGB has colours and no spectra (there are " +
+                                          std::to_string(texture.spectrum_size()) + ")");
+  if (texture.channel_size() > 0)
+    findings.add(field + ".channel", "an RGB has its own channels, R, G and B");
+}
+
+}  // namespace
 
 void check_texture(const v1::Texture& texture, const std::string& field, Findings& findings) {
+  if (texture.has_scale() && texture.scale().u() == 0)
+    findings.add(field + ".scale.u", "u must not be 0");
+  if (texture.has_scale() && texture.scale().v() == 0)
+    findings.add(field + ".scale.v", "v must not be 0");
   const bool png = has_extension(texture.file(), ".png");
   if (texture.file().empty())
     findings.add(field, "texture needs a file");
   else if (!png && !has_extension(texture.file(), ".exr"))
     findings.add(field + ".file",
                  "file must end in .png or .exr (it is " + quoted(texture.file()) + ")");
+  else if (!png && texture.use() != v1::Texture::BLEND)
+    findings.add(field + ".file",
+                 "of an INDEX and an RGB it must be a .png (it is " + quoted(texture.file()) + ")");
 
+  if (texture.use() == v1::Texture::RGB) return check_colors(texture, field, findings);
   const int spectra = texture.spectrum_size();
   if (spectra == 0 || spectra > limits::max_texture_spectra)
     return findings.add(field + ".spectrum",
@@ -29,12 +48,6 @@ void check_texture(const v1::Texture& texture, const std::string& field, Finding
                  (index ? "an INDEX needs 1 channel"
                         : "there must be a channel for each spectrum, " + std::to_string(spectra)) +
                      " (there are " + std::to_string(texture.channel_size()) + ")");
-  if (index && !texture.file().empty() && !png)
-    findings.add(field + ".file", "an INDEX must be a .png (it is " + quoted(texture.file()) + ")");
-
-  if (!texture.has_scale()) return;
-  if (texture.scale().u() == 0) findings.add(field + ".scale.u", "u must not be 0");
-  if (texture.scale().v() == 0) findings.add(field + ".scale.v", "v must not be 0");
 }
 
 }  // namespace metamer

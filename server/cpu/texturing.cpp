@@ -52,7 +52,7 @@ Float8 Texturing::divide(const Packet& packet, const Hits& hits, Workspace& work
         workspace.texture_shares.push_back(
             {i, gather.surface(packet.chain[i], texture.materials[c]), weights[c]});
     }
-    own[i] = std::max(rest, 0.0f);
+    own[i] = texture.has_ground ? std::max(rest, 0.0f) : 0;
   }
   return own;
 }

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 
+#include "common/color/rgb_reflectance.h"
 #include "common/scene/light.h"
 #include "common/scene/limits.h"
 #include "common/scene/reflection.h"
@@ -166,31 +167,53 @@ class Compiler {
     const std::string field = "material[" + std::to_string(index) + "].texture";
     auto picture = textures_(texture, field);
     if (!picture) return problems_.push_back(std::move(picture.error()));
-    if (result_.materials.size() + static_cast<std::size_t>(texture.spectrum_size()) >
-        limits::max_materials)
+    if (result_.materials.size() + picture->channels > limits::max_materials)
       return add(field + ".spectrum", "materials and spectra of textures are at most " +
                                           std::to_string(limits::max_materials) + " together");
 
-    RenderTexture to{*std::move(picture), texture.wrap(), uv_map(texture), {}};
+    note(picture->notes, field + ".file");
+    const bool rgb = texture.use() == v1::Texture::RGB;
+    RenderTexture to{*std::move(picture), texture.wrap(), uv_map(texture), {}, !rgb};
     for (int i = 0; i < texture.spectrum_size(); ++i) {
       const std::string spectrum_field = field + ".spectrum[" + std::to_string(i) + "]";
       const std::string name = material.name() + "#" + std::to_string(i + 1);
       if (is_material(name))
         add(spectrum_field, "the scene has a material " + quoted(name) +
                                 ", as this spectrum is called for relighting");
-      to.materials.push_back(static_cast<std::uint32_t>(result_.materials.size()));
-      result_.materials.push_back(
-          {.name = name,
-           .reflection = to_f32(reflection_of(v1::Material())),
-           .fresnel = FresnelKind::none,
-           .constants = 0,
-           .diffuse = spectrum(texture.spectrum(i), spectrum_field, SpectrumRole::property),
-           .specular = property(false, {}, 1, field),
-           .mirror = 0});
+      to.materials.push_back(
+          add_matte(name, spectrum(texture.spectrum(i), spectrum_field, SpectrumRole::property)));
     }
+    for (std::size_t i = 0; rgb && i < 3; ++i)
+      to.materials.push_back(
+          add_matte(material.name() + "#" + "RGB"[i], primary_reflectance(i, field)));
     result_.materials[static_cast<std::size_t>(index)].texture =
         static_cast<std::uint32_t>(result_.textures.size());
     result_.textures.push_back(std::move(to));
+  }
+
+  /// A material that no object has.
+  std::uint32_t add_matte(const std::string& name, std::uint32_t diffuse) {
+    result_.materials.push_back({.name = name,
+                                 .reflection = to_f32(reflection_of(v1::Material())),
+                                 .fresnel = FresnelKind::none,
+                                 .constants = 0,
+                                 .diffuse = diffuse,
+                                 .specular = property(false, {}, 1, ""),
+                                 .mirror = 0});
+    return static_cast<std::uint32_t>(result_.materials.size() - 1);
+  }
+
+  /// Of R, G or B alone (reflectance_of_rgb), which textures of colours share.
+  std::uint32_t primary_reflectance(std::size_t channel, const std::string& field) {
+    const auto [place, is_new] = known_properties_.try_emplace(
+        std::string("RGB") + "RGB"[channel], static_cast<std::uint32_t>(result_.properties.size()));
+    if (is_new) {
+      Rgb primary{};
+      primary[channel] = 1;
+      result_.properties.push_back(reflectance_of_rgb(primary));
+      result_.property_fields.push_back(field);
+    }
+    return place->second;
   }
 
   bool is_material(const std::string& name) const {

@@ -5,8 +5,10 @@
 #include <numbers>
 #include <optional>
 
+#include "common/color/rgb_space.h"
 #include "common/image/read_exr.h"
 #include "common/image/read_png.h"
+#include "common/image/read_png_xyz.h"
 #include "common/scene/limits.h"
 #include "common/scene/names.h"
 
@@ -23,16 +25,11 @@ class TextureReader {
       : texture_(texture), field_(field) {}
 
   Result<TexturePicture> read(const std::string& bytes) {
+    if (texture_.use() == v1::Texture::RGB) return colors(bytes);
     auto image = has_extension(texture_.file(), ".png") ? png(bytes) : exr(bytes);
     if (!image) return at(".file", std::move(image.error()));
     const auto spectra = static_cast<std::uint32_t>(texture_.spectrum_size());
-    const auto pixels =
-        static_cast<std::uint64_t>(image->width) * static_cast<std::uint64_t>(image->height);
-    if (pixels * spectra > limits::max_texture_weights)
-      return at(".file", "has " + std::to_string(image->width) + " × " +
-                             std::to_string(image->height) + " pixels of " +
-                             std::to_string(spectra) + " weights; at most " +
-                             std::to_string(limits::max_texture_weights) + " are allowed");
+    if (auto fits = check_size(*image, spectra); !fits) return tl::unexpected(fits.error());
     auto weights = texture_.use() == v1::Texture::INDEX ? indexed_weights(*image) : blended(*image);
     if (!weights) return tl::unexpected(std::move(weights.error()));
     return with_levels(static_cast<std::uint32_t>(image->width),
@@ -41,6 +38,42 @@ class TextureReader {
 
  private:
   using Weights = std::vector<std::uint16_t>;
+
+  Result<void> check_size(const Image& image, std::uint32_t weights) const {
+    const auto pixels =
+        static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height);
+    if (pixels * weights <= limits::max_texture_weights) return {};
+    return at(".file", "has " + std::to_string(image.width) + " × " + std::to_string(image.height) +
+                           " pixels of " + std::to_string(weights) + " weights; at most " +
+                           std::to_string(limits::max_texture_weights) + " are allowed");
+  }
+
+  /// Three weights, those of reflectance_of_rgb().
+  Result<TexturePicture> colors(const std::string& bytes) const {
+    auto read = read_png_xyz({bytes, texture_.file()});
+    if (!read) return at(".file", std::move(read.error()));
+    const Image& image = read->image;
+    if (auto fits = check_size(image, 3); !fits) return tl::unexpected(fits.error());
+    const Matrix3& to_rgb = rgb_space(StandardSpace::srgb).from_xyz;
+    Weights weights;
+    weights.reserve(image.pixels.size());
+    for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
+      const Rgb rgb = multiply(to_rgb, {image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]});
+      for (std::size_t c = 0; c < 3; ++c) {
+        if (!(rgb[c] >= -rounding && rgb[c] <= 1 + rounding))
+          return at_pixel(image, i / 3,
+                          std::string("its ") + "RGB"[c] + " of linear sRGB is " +
+                              number_text(rgb[c]) + "; a surface has 0 to 1");
+        weights.push_back(
+            static_cast<std::uint16_t>(std::lround(65535 * std::clamp(rgb[c], 0.0, 1.0))));
+      }
+    }
+    TexturePicture picture =
+        with_levels(static_cast<std::uint32_t>(image.width),
+                    static_cast<std::uint32_t>(image.height), 3, std::move(weights));
+    picture.notes = std::move(read->notes);
+    return picture;
+  }
 
   tl::unexpected<Problem> at(const std::string& below, Problem what) const {
     what.field = field_ + below;

@@ -24,6 +24,7 @@ struct TexturePicture {
   /// 65535 is 1; row by row from the top, the channels of a pixel together. Of a pixel they sum to
   /// 1 at most, but for rounding.
   Array<std::uint16_t> weights;
+  std::vector<std::string> notes;  ///< What was left aside of the file, a sentence each.
 };
 
 /// The picture of a texture that check_texture has nothing against; `field` is the texture's.
@@ -47,6 +48,7 @@ struct RenderTexture {
   std::array<std::array<float, 3>, 2> map;  ///< Rows: (u, v, 1) of a surface to the picture's.
   /// Of each channel: index into RenderScene::materials of what has its spectrum as `diffuse`.
   std::vector<std::uint32_t> materials;
+  bool has_ground;  ///< What the weights leave is the material's own `diffuse`.
 };
 
 /// Adds the weights of `picture` at u, v (of the picture: 0, 0 is its lower left) to `sum`, a value

@@ -33,7 +33,19 @@ TEST(TextureCheck, ChannelsAndSpectraAgree) {
   EXPECT_EQ(findings_of("file: 'cloth.png' use: INDEX channel: ['R', 'G']" + spectrum + spectrum),
             Strings({"material[0].texture.channel: an INDEX needs 1 channel (there are 2)"}));
   EXPECT_EQ(findings_of("file: 'cloth.exr' use: INDEX" + spectrum),
-            Strings({"material[0].texture.file: an INDEX must be a .png (it is \"cloth.exr\")"}));
+            Strings({"material[0].texture.file: of an INDEX and an RGB it must be a .png (it is "
+                     "\"cloth.exr\")"}));
+}
+
+TEST(TextureCheck, AnRgbHasNothingMeasured) {
+  EXPECT_EQ(
+      findings_of("file: 'cloth.png' use: RGB" + spectrum + " channel: 'R'"),
+      Strings({"material[0].texture.spectrum: an RGB has colours and no spectra (there are 1)",
+               "material[0].texture.channel: an RGB has its own channels, R, G and B"}));
+  EXPECT_EQ(
+      findings({.material = "material { name: \"grey\" diffuse { constant: 0.5 } "
+                            "texture { file: 'cloth.png' use: RGB } }"}),
+      Strings({"material[0].diffuse: an RGB texture leaves nothing of `diffuse` to be seen"}));
 }
 
 TEST(TextureCheck, AScaleIsNoZero) {

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "common/color/lab.h"
+#include "common/color/rgb_space.h"
 #include "tests/server/methods/methods.h"
 #include "tests/server/scene/small_png.h"
 #include "tests/server/test_scene.h"
@@ -156,6 +159,37 @@ TEST(Texturing, AMeshWithoutUvsIsAProblemOfItsObject) {
     EXPECT_STREQ(error.what(),
                  "object[0]: its mesh has no UVs, which the texture of \"card\" needs");
   }
+}
+
+/// Linear sRGB of 8 bits, IEC 61966-2-1.
+double decoded(int value) {
+  const double v = value / 255.0;
+  return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+}
+
+TEST(Texturing, AColourIsItselfUnderD65) {
+  std::string card_text = card("texture { file: 'print.png' use: RGB }", "spp: 1");
+  card_text.replace(card_text.find("F11"), 3, "D65");
+  for (const std::array<int, 3> rgb : {std::array{200, 30, 90}, {10, 200, 60}, {255, 255, 0}}) {
+    const std::string pixel{static_cast<char>(rgb[0]), static_cast<char>(rgb[1]),
+                            static_cast<char>(rgb[2])};
+    const auto seen =
+        test::render(card_text, {{"print.png", test::small_png(1, 1, 2, pixel)}}).at(8, 8);
+    const Rgb linear =
+        multiply(rgb_space(StandardSpace::srgb).from_xyz, {seen[0], seen[1], seen[2]});
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(linear[c], decoded(rgb[c]), 0.006) << rgb[0];
+  }
+}
+
+TEST(Texturing, AGreyOfColoursIsAGreySurfaceUnderEveryLight) {
+  const auto of_colors =
+      test::render(card("texture { file: 'print.png' use: RGB }", "spp: 1"),
+                   {{"print.png", test::small_png(1, 1, 2, {'\x80', '\x80', '\x80'})}})
+          .at(8, 8);
+  const auto grey =
+      test::render(card("diffuse { constant: " + std::to_string(decoded(128)) + " }", "spp: 1"))
+          .at(8, 8);
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(of_colors[c], grey[c], 3e-5);
 }
 
 TEST(Texturing, SpectraOfTexturesAreMaterialsOfTheirOwn) {
