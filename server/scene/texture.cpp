@@ -58,7 +58,8 @@ class TextureReader {
     Weights weights;
     weights.reserve(image.pixels.size());
     for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
-      const Rgb rgb = multiply(to_rgb, {image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]});
+      const Xyz seen{image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]};
+      const Rgb rgb = multiply(to_rgb, seen);
       for (std::size_t c = 0; c < 3; ++c) {
         if (!(rgb[c] >= -rounding && rgb[c] <= 1 + rounding))
           return at_pixel(image, i / 3,
