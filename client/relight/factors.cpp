@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "client/relight/reradiated_lights.h"
 #include "client/relight/scene_sources.h"
 #include "common/scene/absorption_table.h"
 #include "common/spectral/observer.h"
@@ -58,6 +59,9 @@ std::string scene_fault(const v1::SceneFactors& scene) {
       return "light \"" + light.name() + "\" has no sound spectrum";
   for (const auto& material : scene.material()) {
     const auto& constants = material.constants();
+    if (material.has_fluorescence() &&
+        material.fluorescence() >= static_cast<std::uint32_t>(scene.fluorescence_size()))
+      return "material \"" + material.name() + "\" names a fluorescence that does not exist";
     if (!is_spectrum(material.diffuse()) || !is_spectrum(material.specular()) ||
         (material.has_constants() && !is_spectrum(constants.n())) ||
         (material.has_transmittance() && !is_transmittance(material.transmittance())) ||
@@ -68,6 +72,8 @@ std::string scene_fault(const v1::SceneFactors& scene) {
     if (!is_spectrum(interface.n())) return "an interface has no sound spectrum";
   for (const auto& window : scene.window())
     if (!is_spectrum(window)) return "a bundle of wavelengths has no sound spectrum";
+  for (const auto& fluorescence : scene.fluorescence())
+    if (std::string fault = fluorescence_fault(fluorescence); !fault.empty()) return fault;
   return observer_fault_in(scene);
 }
 
@@ -84,6 +90,7 @@ std::string table_fault(const v1::TileFactors& tables, std::size_t lights,
       return "a product comes before its parent";
     const std::string fault = factor_fault(MessageTerms::product_factor(tables, i), sources);
     if (!fault.empty()) return "a product " + fault;
+    if (tables.product_term(i) == v1::FACTOR_RERADIATE) return "a product re-radiates";
   }
   for (int i = 0; i < signatures; ++i) {
     if (tables.signature_product(i) > static_cast<std::uint32_t>(products))

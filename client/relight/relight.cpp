@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "client/relight/chain_products.h"
+#include "client/relight/reradiated_lights.h"
 #include "client/relight/rgb_colors.h"
 #include "client/relight/signature_colors.h"
 #include "common/scene/settings.h"
@@ -16,7 +17,10 @@ namespace {
 using Row = std::vector<float>;
 
 /// The band means of the scene's lights, with their luminance, E[3.2-4].
-std::vector<std::vector<double>> light_rows(const v1::SceneFactors& scene, const Observer& observer,
+/// Behind them, those that are re-radiated.
+std::vector<std::vector<double>> light_rows(const v1::SceneFactors& scene,
+                                            const ReradiatedLights& reradiated,
+                                            const Observer& observer,
                                             const std::vector<double>& nm) {
   std::vector<std::vector<double>> rows;
   for (const auto& light : scene.light()) {
@@ -25,6 +29,8 @@ std::vector<std::vector<double>> light_rows(const v1::SceneFactors& scene, const
     rows.push_back(band_means(power, nm));
     for (double& value : rows.back()) value *= y > 0 ? light.luminance() / y : 0;
   }
+  for (const ReradiatedLights::Light& light : reradiated.all())
+    rows.push_back(band_means(light.power, nm));
   return rows;
 }
 
@@ -117,7 +123,9 @@ Image relight_rgb(const Factors& factors, const v1::SceneFactors& scene, const O
 Image relight_spectral(const Factors& factors, const v1::SceneFactors& scene,
                        const Observer& observer, const Wavelengths& wavelengths) {
   // The light of each signature.
-  const auto lights = light_rows(scene, observer, wavelengths.nm());
+  const ReradiatedLights reradiated(factors.tables, scene, observer);
+  const auto lights = light_rows(scene, reradiated, observer, wavelengths.nm());
+  const auto light_count = static_cast<std::size_t>(scene.light_size());
   std::vector<Row> spectra;
   const SceneSources sources(scene);
   FactorValues<float> values(sources.factors(), wavelengths.nm());
@@ -126,9 +134,10 @@ Image relight_spectral(const Factors& factors, const v1::SceneFactors& scene,
                      [&](const Row& product, std::uint32_t light, const FactorNode& node) {
                        Row row = product;
                        const Row& factor = values(node);
+                       const auto own = reradiated.of(light, node);
+                       const std::vector<double>& from = lights[own ? light_count + *own : light];
                        for (std::size_t k = 0; k < row.size(); ++k)
-                         row[k] = static_cast<float>(lights[light][k] * double{row[k]} *
-                                                     double{factor[k]});
+                         row[k] = static_cast<float>(from[k] * double{row[k]} * double{factor[k]});
                        spectra.push_back(std::move(row));
                      }));
 

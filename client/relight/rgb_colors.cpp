@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "client/relight/reradiated_lights.h"
 #include "client/relight/scene_sources.h"
 #include "common/color/rgb_of_spectra.h"
 #include "common/color/srgb.h"
@@ -35,14 +36,17 @@ std::vector<double> corners_of(const FactorSources& sources) {
 /// The colours of the chains, and of the terms at their ends.
 class RgbFold : public FoldHooks {
  public:
-  RgbFold(const v1::SceneFactors& scene, const Observer& observer)
+  RgbFold(const v1::TileFactors& tables, const v1::SceneFactors& scene, const Observer& observer)
       : sources_(scene),
+        reradiated_(tables, scene, observer),
         nm_(corners_of(sources_.factors())),
         values_(sources_.factors(), nm_),
         surface_(observer, nm_),
         chains_{Rgb{1, 1, 1}} {
     for (const auto& light : scene.light())
       lights_.push_back(light_rgb(observer, to_spectrum(light.power()), light.luminance()));
+    for (const ReradiatedLights::Light& light : reradiated_.all())
+      reradiated_rgb_.push_back(light_rgb(observer, light.power, light.luminance));
   }
 
   void enter(std::uint32_t, std::uint32_t parent, const FactorNode& factor) {
@@ -50,7 +54,9 @@ class RgbFold : public FoldHooks {
   }
 
   void term(std::uint32_t chain, std::uint32_t light, const FactorNode& factor, float) {
-    const Xyz xyz = srgb::to_xyz(product(product(chains_[chain], lights_[light]), color(factor)));
+    const auto own = reradiated_.of(light, factor);
+    const Rgb& from = own ? reradiated_rgb_[*own] : lights_[light];
+    const Xyz xyz = srgb::to_xyz(product(product(chains_[chain], from), color(factor)));
     Color& to = colors_.emplace_back();
     std::transform(xyz.begin(), xyz.end(), to.value,
                    [](double value) { return static_cast<float>(value); });
@@ -66,10 +72,11 @@ class RgbFold : public FoldHooks {
   }
 
   SceneSources sources_;
+  ReradiatedLights reradiated_;
   std::vector<double> nm_;
   FactorValues<double> values_;
   SurfaceRgb surface_;
-  std::vector<Rgb> lights_, chains_;
+  std::vector<Rgb> lights_, reradiated_rgb_, chains_;
   std::map<FactorNode, Rgb> known_;
   std::vector<Color> colors_;
 };
@@ -78,7 +85,7 @@ class RgbFold : public FoldHooks {
 
 std::vector<Color> rgb_colors(const v1::TileFactors& tables, const v1::SceneFactors& scene,
                               const Observer& observer) {
-  RgbFold carrier(scene, observer);
+  RgbFold carrier(tables, scene, observer);
   fold(MessageTerms(tables), carrier);
   return carrier.take();
 }

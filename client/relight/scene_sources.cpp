@@ -1,5 +1,7 @@
 #include "client/relight/scene_sources.h"
 
+#include "client/relight/reradiated_lights.h"
+
 namespace metamer::client {
 
 Spectrum to_spectrum(const v1::SampledSpectrum& from) {
@@ -7,11 +9,14 @@ Spectrum to_spectrum(const v1::SampledSpectrum& from) {
 }
 
 SceneSources::SceneSources(const v1::SceneFactors& scene) {
+  for (const auto& fluorescence : scene.fluorescence())
+    fluorescences_.push_back(to_fluorescence(fluorescence));
   for (const v1::SceneFactors::Material& from : scene.material()) {
     FactorSources::Material& material = factors_.materials.emplace_back();
     material.diffuse = &spectra_.emplace_back(to_spectrum(from.diffuse()));
     material.specular = &spectra_.emplace_back(to_spectrum(from.specular()));
     material.constants = nullptr;
+    if (from.has_fluorescence()) material.fluorescence = &fluorescences_[from.fluorescence()];
     if (from.has_constants())
       material.constants = &constants_.emplace_back(
           OpticalConstants{to_spectrum(from.constants().n()), to_spectrum(from.constants().k())});

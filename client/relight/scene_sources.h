@@ -1,6 +1,7 @@
 #pragma once
 
 #include <list>
+#include <vector>
 
 #include "common/transport/factor_sources.h"
 #include "metamer/v1/factors.pb.h"
@@ -22,6 +23,7 @@ class SceneSources {
  private:
   std::list<Spectrum> spectra_;
   std::list<OpticalConstants> constants_;
+  std::vector<Fluorescence> fluorescences_;
   FactorSources factors_;
 };
 

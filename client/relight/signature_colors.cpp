@@ -7,6 +7,7 @@
 #include <span>
 
 #include "client/relight/chain_products.h"
+#include "client/relight/reradiated_lights.h"
 #include "common/transport/message_tables.h"
 #include "common/transport/scene_bands.h"
 
@@ -30,7 +31,8 @@ float integrate(std::span<const float> a, std::span<const float> b) {
 
 /// The factors that light meets on its way, and how many at most.
 SceneBands bands_of(const v1::TileFactors& tables, const v1::SceneFactors& scene,
-                    const FactorSources& sources, const Observer& observer) {
+                    const FactorSources& sources, const ReradiatedLights& reradiated,
+                    const Observer& observer) {
   std::set<std::pair<FactorKind, std::uint32_t>> passed;
   std::vector<unsigned> length{0};
   const MessageTerms terms(tables);
@@ -43,6 +45,7 @@ SceneBands bands_of(const v1::TileFactors& tables, const v1::SceneFactors& scene
   std::vector<const Spectrum*> emissions;
   for (const auto& light : scene.light())
     emissions.push_back(&powers.emplace_back(to_spectrum(light.power())));
+  for (const ReradiatedLights::Light& light : reradiated.all()) emissions.push_back(&light.power);
   return {sources, passed, *std::max_element(length.begin(), length.end()), emissions, observer};
 }
 
@@ -50,9 +53,11 @@ SceneBands bands_of(const v1::TileFactors& tables, const v1::SceneFactors& scene
 /// asked for.
 class Sensors {
  public:
-  Sensors(const SceneBands& bands, const v1::SceneFactors& scene, const FactorSources& sources)
+  Sensors(const SceneBands& bands, const v1::SceneFactors& scene, const FactorSources& sources,
+          const ReradiatedLights& reradiated)
       : bands_(bands),
         scene_(scene),
+        reradiated_(reradiated),
         at_edges_(sources, bands.bands().edges),
         at_bands_(sources, bands.bands().nm) {}
 
@@ -64,6 +69,7 @@ class Sensors {
 
  private:
   Row make(std::uint32_t light, const FactorNode& factor) {
+    if (const auto own = reradiated_.of(light, factor)) return make_reradiated(*own);
     const bool is_linear = SceneBands::is_linear(factor.kind);
     const std::vector<double>& seen = is_linear ? seen_of(light, factor) : seen_of_white(light);
     const double luminance = scene_.light(static_cast<int>(light)).luminance();
@@ -71,6 +77,16 @@ class Sensors {
     for (std::size_t i = 0; i < seen.size(); ++i)
       row.push_back(static_cast<float>(luminance * seen[i] *
                                        (is_linear ? 1.0 : double{at_bands_(factor)[i]})));
+    return row;
+  }
+
+  /// The bands have these lights behind the scene's.
+  Row make_reradiated(std::size_t light) {
+    const double luminance = reradiated_.all()[light].luminance;
+    Row row;
+    for (const double seen : bands_.sensors(static_cast<std::size_t>(scene_.light_size()) + light,
+                                            at_edges_({FactorKind::white, 0, 0})))
+      row.push_back(static_cast<float>(luminance * seen));
     return row;
   }
 
@@ -85,6 +101,7 @@ class Sensors {
 
   const SceneBands& bands_;
   const v1::SceneFactors& scene_;
+  const ReradiatedLights& reradiated_;
   FactorValues<float> at_edges_, at_bands_;
   std::map<std::pair<std::uint32_t, FactorNode>, Row> sensors_;
   std::map<std::uint32_t, std::vector<double>> white_;  ///< By light.
@@ -95,8 +112,9 @@ class Sensors {
 std::vector<Color> signature_colors(const v1::TileFactors& tables, const v1::SceneFactors& scene,
                                     const Observer& observer) {
   const SceneSources sources(scene);
-  const SceneBands bands = bands_of(tables, scene, sources.factors(), observer);
-  Sensors sensors(bands, scene, sources.factors());
+  const ReradiatedLights reradiated(tables, scene, observer);
+  const SceneBands bands = bands_of(tables, scene, sources.factors(), reradiated, observer);
+  Sensors sensors(bands, scene, sources.factors(), reradiated);
   const auto& first = bands.bands().first;
   std::vector<Color> colors;
   fold(MessageTerms(tables),

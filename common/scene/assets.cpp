@@ -25,7 +25,7 @@ class Collector {
   Collector(std::filesystem::path folder, const DigestOf& digest_of, const Elsewhere& elsewhere)
       : folder_(std::move(folder)), digest_of_(digest_of), elsewhere_(elsewhere) {}
 
-  void add_observer(const std::string& file, const std::string& field) {
+  void add_table(const std::string& file, const std::string& field) {
     add(file, field, max_spectrum_file);
   }
 
@@ -124,7 +124,10 @@ tl::expected<std::vector<Asset>, std::vector<Problem>> collect_assets(
   for_each_spectrum(scene, [&](const v1::Spectrum& spectrum, const std::string& field,
                                SpectrumRole) { collector.add_spectrum(spectrum, field); });
   for_each_observer_file(scene, [&](const std::string& file, const std::string& field) {
-    collector.add_observer(file, field);
+    collector.add_table(file, field);
+  });
+  for_each_bispectral_file(scene, [&](const std::string& file, const std::string& field) {
+    collector.add_table(file, field);
   });
   for (int i = 0; i < scene.material_size(); ++i)
     collector.add_texture(scene.material(i).texture(),

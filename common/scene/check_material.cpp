@@ -23,6 +23,8 @@ void check_material(const v1::Material& material, const std::string& field, Find
   if (material.has_texture()) check_texture(material.texture(), field + ".texture", findings);
   if (material.texture().use() == v1::Texture::RGB && material.has_diffuse())
     findings.add(field + ".diffuse", "an RGB texture leaves nothing of `diffuse` to be seen");
+  if (material.has_fluorescence())
+    check_fluorescence(material.fluorescence(), field + ".fluorescence", findings);
   if (material.has_fresnel()) check_fresnel(material.fresnel(), field + ".fresnel", findings);
   if (material.has_transmission()) check_transmission(material, field + ".transmission", findings);
 }

@@ -99,6 +99,8 @@ std::string value_fault(double value, SpectrumRole role) {
       return "an index of refraction must lie in 0.01..100";
     case SpectrumRole::extinction:
       return "an extinction coefficient must lie in 0..100";
+    case SpectrumRole::excitation:
+      return "an excitation must lie in 0..1";
   }
   return {};
 }

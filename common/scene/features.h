@@ -17,6 +17,7 @@ enum class Feature : std::uint8_t {
   area_lights,     ///< Lights that are surfaces: quads, disks, spheres.
   environment,     ///< Light from all around.
   planes,          ///< Objects that go on to the horizon.
+  fluorescence,    ///< Light that becomes light of longer wavelengths at a surface.
   multi_pass,      ///< `point` by four wavelengths at a time.
   transmission,    ///< Light that is refracted, and absorbed on its way.
 };

@@ -8,6 +8,7 @@ namespace {
 Interpolation usual_interpolation(const Spectrum& samples, SpectrumRole role) {
   switch (role) {
     case SpectrumRole::emission:
+    case SpectrumRole::excitation:
       return recommended_interpolation(samples, Outside::zero);
     case SpectrumRole::property:
       return recommended_interpolation(samples, Outside::hold);
@@ -33,6 +34,8 @@ ValueRange value_range(SpectrumRole role) {
       return {0.01, 100};
     case SpectrumRole::extinction:
       return {0, 100};
+    case SpectrumRole::excitation:
+      return {0, 1};
   }
   return {};
 }

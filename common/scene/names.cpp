@@ -57,6 +57,12 @@ void for_each_spectrum(
       visit(material.texture().spectrum(s),
             indexed(field + ".texture.spectrum", static_cast<std::size_t>(s)),
             SpectrumRole::property);
+    const v1::Fluorescence& fluorescence = material.fluorescence();
+    if (fluorescence.has_excitation())
+      visit(fluorescence.excitation(), field + ".fluorescence.excitation",
+            SpectrumRole::excitation);
+    if (fluorescence.has_emission())
+      visit(fluorescence.emission(), field + ".fluorescence.emission", SpectrumRole::emission);
     const v1::Dielectric& dielectric = material.fresnel().dielectric();
     const std::string below = field + ".fresnel.";
     if (dielectric.has_n()) visit(dielectric.n(), below + "dielectric.n", SpectrumRole::index);
@@ -72,6 +78,14 @@ void for_each_spectrum(
   }
   for (int i = 0; i < scene.look_size(); ++i)
     for_each_spectrum(scene.look(i), indexed("look", static_cast<std::size_t>(i)), visit);
+}
+
+void for_each_bispectral_file(
+    const v1::Scene& scene,
+    const std::function<void(const std::string& file, const std::string& field)>& visit) {
+  for (int i = 0; i < scene.material_size(); ++i)
+    if (const std::string& file = scene.material(i).fluorescence().file(); !file.empty())
+      visit(file, indexed("material", static_cast<std::size_t>(i)) + ".fluorescence.file");
 }
 
 void for_each_observer_file(

@@ -18,6 +18,11 @@ void for_each_spectrum(
     const v1::Scene& scene,
     const std::function<void(const v1::Spectrum&, const std::string& field, SpectrumRole)>& visit);
 
+/// The same for the files of bispectral matrices, "material[0].fluorescence.file"; none is empty.
+void for_each_bispectral_file(
+    const v1::Scene& scene,
+    const std::function<void(const std::string& file, const std::string& field)>& visit);
+
 /// The same for the files of observers, "settings.observer_file" and those of looks; none is empty.
 void for_each_observer_file(
     const v1::Scene& scene,

@@ -14,6 +14,8 @@ void check_luminance(double luminance, const std::string& field, Findings& findi
 void check_light(const v1::Light& light, const std::string& field, Findings& findings);
 void check_material(const v1::Material& material, const std::string& field, Findings& findings);
 void check_reflection(const v1::Material& material, const std::string& field, Findings& findings);
+void check_fluorescence(const v1::Fluorescence& fluorescence, const std::string& field,
+                        Findings& findings);
 void check_fresnel(const v1::Fresnel& fresnel, const std::string& field, Findings& findings);
 void check_texture(const v1::Texture& texture, const std::string& field, Findings& findings);
 void check_transmission(const v1::Material& material, const std::string& field, Findings& findings);

@@ -55,6 +55,7 @@ Result<Interpreted> as_role(const SpectrumFile& file, NamedSpectrum spectrum,
       return interpret(file, std::move(spectrum), reading, Use::property);
     case SpectrumRole::index:
     case SpectrumRole::extinction:
+    case SpectrumRole::excitation:
       break;
   }
   return Interpreted{.spectrum = std::move(spectrum.spectrum), .quantity = Quantity::reflectance};

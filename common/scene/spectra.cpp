@@ -7,6 +7,7 @@
 #include "common/image/pixel_spectrum.h"
 #include "common/scene/check_spectrum.h"
 #include "common/scene/findings.h"
+#include "common/scene/fluorescence.h"
 #include "common/scene/interpolated.h"
 #include "common/scene/limits.h"
 #include "common/scene/names.h"
@@ -191,6 +192,7 @@ std::vector<Problem> validate_spectra(const v1::Scene& scene, const AssetReader&
     if (auto observer = observer_of_file(file, field, assets); !observer)
       findings.add(std::move(observer.error()));
   });
+  check_fluorescences(scene, assets, findings);
   return findings.take();
 }
 

@@ -32,6 +32,7 @@ enum class SpectrumRole {
   reflectance,  ///< 0..0.999999: an index of refraction is computed of it, E[2.2-11].
   index,        ///< n, 0.01..100
   extinction,   ///< k, 0..100
+  excitation,   ///< The share that is absorbed to be re-radiated, 0..1; 0 outside its data.
 };
 Result<Spectrum> load_spectrum(const v1::Spectrum& message, const std::string& field,
                                SpectrumRole role, const AssetReader& assets);

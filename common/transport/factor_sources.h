@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "common/scene/fresnel.h"
+#include "common/spectral/fluorescence.h"
 #include "common/spectral/spectrum.h"
 
 namespace metamer {
@@ -13,8 +14,9 @@ struct FactorSources {
   struct Material {
     const Spectrum* diffuse;
     const Spectrum* specular;
-    const OpticalConstants* constants;        ///< Null where its Fresnel term is not exact.
-    const Spectrum* transmittance = nullptr;  ///< Null where it absorbs nothing.
+    const OpticalConstants* constants;           ///< Null where its Fresnel term is not exact.
+    const Spectrum* transmittance = nullptr;     ///< Null where it absorbs nothing.
+    const Fluorescence* fluorescence = nullptr;  ///< Null where it has none.
   };
   std::vector<Material> materials;
   /// Where two media touch: n of the denser one (at the d line) by that of the other. No k.

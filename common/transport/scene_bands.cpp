@@ -41,20 +41,22 @@ Parts parts_of(const FactorSources& sources,
   std::set<std::pair<bool, const void*>> on_chains;  // a spectrum, or a table
   for (const FactorEntry& entry : factor_entries)
     with_kind(entry.kind, [&]<class Kind>(Kind) {
-      for (std::uint32_t index = 0; index < Kind::count(sources); ++index) {
-        const auto* source = Kind::source(sources, index);
-        if (source == nullptr) continue;
-        if (known.insert(source).second) {
-          for (const Spectrum* spectrum : spectra_of(*source)) parts.all.push_back(spectrum);
-          if constexpr (is_spectrum<Kind>) parts.surfaces.push_back(source);
+      // What is re-radiated is a light.
+      if constexpr (!std::same_as<Kind, factors::Reradiate>)
+        for (std::uint32_t index = 0; index < Kind::count(sources); ++index) {
+          const auto* source = Kind::source(sources, index);
+          if (source == nullptr) continue;
+          if (known.insert(source).second) {
+            for (const Spectrum* spectrum : spectra_of(*source)) parts.all.push_back(spectrum);
+            if constexpr (is_spectrum<Kind>) parts.surfaces.push_back(source);
+          }
+          if constexpr (is_spectrum<Kind>) {
+            if (passed.contains({entry.kind, index}) && on_chains.insert({true, source}).second)
+              parts.curves.push_back(*source);
+          } else if (on_chains.insert({false, source}).second) {
+            parts.template add_nodes<typename Kind::Table>(*source);
+          }
         }
-        if constexpr (is_spectrum<Kind>) {
-          if (passed.contains({entry.kind, index}) && on_chains.insert({true, source}).second)
-            parts.curves.push_back(*source);
-        } else if (on_chains.insert({false, source}).second) {
-          parts.template add_nodes<typename Kind::Table>(*source);
-        }
-      }
     });
   return parts;
 }

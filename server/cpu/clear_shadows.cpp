@@ -32,7 +32,7 @@ class Way {
  private:
   void go_on(unsigned lane, const Factor& factor) {
     packet_.chain[lane] =
-        workspace_.gathers[packet_.pixel[lane]].chain(packet_.chain[lane], factor);
+        workspace_.gathers[packet_.pixel[lane]].chain_before(packet_.chain[lane], factor);
   }
 
   const Media& media_;

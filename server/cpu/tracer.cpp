@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "server/cpu/shared_source.h"
+#include "server/transport/factor_rows.h"
 #include "server/transport/mirror.h"
 
 namespace metamer::cpu {
@@ -73,7 +74,7 @@ void Tracer::prepare_samples(const std::vector<SamplePoint>& pattern) {
 
 Tracer::Workspace Tracer::make_workspace() const {
   Workspace workspace;
-  workspace.gathers.assign(block_width_ * block_height_, Gather(scene_.lights.size()));
+  workspace.gathers.assign(block_width_ * block_height_, gather_for(scene_));
   return workspace;
 }
 

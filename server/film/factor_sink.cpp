@@ -18,6 +18,19 @@ void set_constants(const OpticalConstants& constants, v1::SampledConstants& to) 
   if (!constants.k.nm.empty()) set_spectrum(constants.k, *to.mutable_k());
 }
 
+void set_fluorescence(const Fluorescence& from, v1::SampledFluorescence& to) {
+  if (const auto* molecules = std::get_if<Fluorophore>(&from)) {
+    set_spectrum(molecules->excitation, *to.mutable_excitation());
+    set_spectrum(molecules->emission, *to.mutable_emission());
+    to.set_quantum_yield(molecules->quantum_yield);
+    return;
+  }
+  const auto& matrix = std::get<BispectralMatrix>(from);
+  to.mutable_excitation_nm()->Assign(matrix.excitation.begin(), matrix.excitation.end());
+  to.mutable_emission_nm()->Assign(matrix.emission.begin(), matrix.emission.end());
+  for (const double value : matrix.values) to.add_matrix(static_cast<float>(value));
+}
+
 }  // namespace
 
 FactorSink::FactorSink(PixelSink& next, std::uint32_t spp)
@@ -124,6 +137,7 @@ v1::SceneFactors scene_factors(const RenderScene& scene) {
     to.set_name(material.name);
     set_spectrum(scene.properties[material.diffuse], *to.mutable_diffuse());
     set_spectrum(scene.properties[material.specular], *to.mutable_specular());
+    if (material.fluorescence) to.set_fluorescence(*material.fluorescence);
     if (absorbs(scene, material))
       set_spectrum(scene.properties[scene.media[material.medium].transmittance],
                    *to.mutable_transmittance());
@@ -133,6 +147,8 @@ v1::SceneFactors scene_factors(const RenderScene& scene) {
   for (const RenderInterface& interface : scene.interfaces)
     set_constants(scene.constants[interface.constants], *factors.add_interface());
   for (const Spectrum& window : scene.windows) set_spectrum(window, *factors.add_window());
+  for (const Fluorescence& fluorescence : scene.fluorescences)
+    set_fluorescence(fluorescence, *factors.add_fluorescence());
   return factors;
 }
 

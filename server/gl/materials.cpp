@@ -94,7 +94,7 @@ Words material_words(const RenderScene& scene, const FactorRows& rows) {
     words[attenuation] = static_cast<std::uint32_t>(own.attenuation);
     words[roughness] = std::bit_cast<std::uint32_t>(own.roughness);
     words[fresnel] = static_cast<std::uint32_t>(material.fresnel);
-    words[diffuse_row] = rows.diffuse(m);
+    words[diffuse_row] = rows.direct_diffuse(m);
     words[specular_row] = rows.specular(m);
     words[first_node] = rows.row({FactorKind::fresnel, m, 0});
     words[ambient] = material.has(models::has_ambient);

@@ -38,13 +38,14 @@ BandedMethod::BandedMethod(FactorRows rows, Tables tables, double learned)
 }
 
 double BandedMethod::preparation_cost() const {
-  return learned_ + costs::table(tables_.rows.rows(), tables_.rows.bands());
+  return learned_ +
+         costs::table(tables_.rows.rows() + tables_.lights.emitted.rows(), tables_.rows.bands());
 }
 
 double BandedMethod::resolve_cost(const Gather& gather) const {
   // What comes over grey chains is looked up.
   const double loop = costs::loop(tables_.xyz.stride()),
-               lights = static_cast<double>(tables_.lights.rows());
+               lights = static_cast<double>(tables_.lights.lights.rows());
   std::vector<bool> is_grey(gather.chains().size(), true);
   double loops = 0, found = 0;
   for (std::size_t i = 1; i < is_grey.size(); ++i) {
@@ -100,15 +101,21 @@ struct BandedMethod::Fold : FoldHooks {
     const float* specular = tables.rows.row(method.rows_.specular(material));
     float* to = carrier(chain);
     for (std::size_t light = 0; light < weights.size(); ++light)
-      band_loops::add_lobes(bands(), to, tables.lights.row(light), diffuse, specular,
+      band_loops::add_lobes(bands(), to, tables.lights.lights.row(light), diffuse, specular,
                             weights[light]);
   }
 
   void term(std::uint32_t chain, std::uint32_t light, const FactorNode& factor, float weight) {
     const std::uint32_t row = method.rows_.row(factor);
-    if (carriers.grey[chain] < 0)
-      return band_loops::add_term(bands(), carrier(chain), method.tables_.lights.row(light),
-                                  method.tables_.rows.row(row), weight);
+    if (carriers.grey[chain] < 0) {
+      const LightTables& lights = method.tables_.lights;
+      const auto fluorescence =
+          factor.kind == FactorKind::reradiate ? method.rows_.fluorescence(row) : std::nullopt;
+      return band_loops::add_term(
+          bands(), carrier(chain),
+          fluorescence ? lights.reradiated(light, *fluorescence) : lights.lights.row(light),
+          method.tables_.rows.row(row), fluorescence ? weight * lights.luminance(light) : weight);
+    }
     const float* seen = &color(row)[3 * light];
     for (std::size_t axis = 0; axis < 3; ++axis)
       xyz[axis] += carriers.grey[chain] * weight * seen[axis];
@@ -123,10 +130,16 @@ struct BandedMethod::Fold : FoldHooks {
 
 std::vector<float> BandedMethod::color_of(std::uint32_t row) const {
   std::vector<float> color;
-  for (std::size_t light = 0; light < tables_.lights.rows(); ++light)
+  const LightTables& lights = tables_.lights;
+  const auto fluorescence = rows_.fluorescence(row);
+  for (std::size_t light = 0; light < lights.lights.rows(); ++light)
     for (std::size_t axis = 0; axis < 3; ++axis)
-      color.push_back(band_loops::dot(tables_.xyz.stride(), tables_.lights.row(light),
-                                      tables_.rows.row(row), tables_.xyz.row(axis)));
+      color.push_back(fluorescence ? lights.luminance(light) *
+                                         band_loops::dot(tables_.xyz.stride(),
+                                                         lights.reradiated(light, *fluorescence),
+                                                         tables_.xyz.row(axis))
+                                   : band_loops::dot(tables_.xyz.stride(), lights.lights.row(light),
+                                                     tables_.rows.row(row), tables_.xyz.row(axis)));
   return color;
 }
 
@@ -149,13 +162,28 @@ std::array<float, 3> BandedMethod::resolve(const Gather& gather, float scale,
   return xyz;
 }
 
+/// X Y Z of each row under each light: what is re-radiated is no product of a light and a row.
+DirectTables BandedMethod::color_tables() const {
+  std::vector<std::vector<float>> colors;
+  for (std::uint32_t row = 0; row < rows_.size(); ++row) colors.push_back(color_of(row));
+  for (const std::uint32_t material : rows_.fluorescent()) {
+    const std::vector<float>& more = colors[rows_.row({FactorKind::reradiate, material, 0})];
+    std::vector<float> sum = colors[rows_.diffuse(material)];
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += more[i];
+    colors.push_back(std::move(sum));
+  }
+  return tables_of_colors(colors);
+}
+
 DirectTables BandedMethod::direct_tables() const {
-  const std::size_t lights = tables_.lights.rows(), bands = tables_.xyz.bands();
+  if (!rows_.fluorescent().empty()) return color_tables();
+  const std::size_t lights = tables_.lights.lights.rows(), bands = tables_.xyz.bands();
   BandTable sensors(3 * lights, bands);
   for (std::size_t light = 0; light < lights; ++light)
     for (std::size_t axis = 0; axis < 3; ++axis)
       for (std::size_t i = 0; i < bands; ++i)
-        sensors.row(3 * light + axis)[i] = tables_.lights.row(light)[i] * tables_.xyz.row(axis)[i];
+        sensors.row(3 * light + axis)[i] =
+            tables_.lights.lights.row(light)[i] * tables_.xyz.row(axis)[i];
   const std::uint32_t size = groups_of_four(bands);
   return {.size = size,
           .row_stride = size,
@@ -163,7 +191,7 @@ DirectTables BandedMethod::direct_tables() const {
           .sensor_stride = 3 * size,
           .values = tables_.rows.packed(),
           .sensors = sensors.packed(),
-          .lights = tables_.lights.packed(),
+          .lights = tables_.lights.lights.packed(),
           .observer = tables_.xyz.packed()};
 }
 

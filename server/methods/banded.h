@@ -1,6 +1,6 @@
 #pragma once
 
-#include "server/methods/band_table.h"
+#include "server/methods/light_tables.h"
 #include "server/methods/method.h"
 #include "server/transport/factor_rows.h"
 
@@ -13,9 +13,9 @@ namespace metamer {
 class BandedMethod : public Method {
  public:
   struct Tables {
-    BandTable lights;  ///< A row a light of the scene.
-    BandTable rows;    ///< A row for each of FactorRows.
-    BandTable xyz;     ///< Three rows, the weights of X, Y and Z.
+    LightTables lights;
+    BandTable rows;  ///< A row for each of FactorRows.
+    BandTable xyz;   ///< Three rows, the weights of X, Y and Z.
   };
   /// `learned`: what the choice of the bands has cost (preparation_cost).
   BandedMethod(FactorRows rows, Tables tables, double learned = 0);
@@ -31,6 +31,7 @@ class BandedMethod : public Method {
 
   /// X Y Z of a row by itself under each light.
   std::vector<float> color_of(std::uint32_t row) const;
+  DirectTables color_tables() const;
 
   FactorRows rows_;
   Tables tables_;

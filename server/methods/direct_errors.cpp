@@ -50,8 +50,12 @@ DirectColors::DirectColors(const RenderScene& scene, const Observer& observer) :
     whites_.push_back(to_xyz(lit, ones));
     if (!(whites_.back()[1] > 0)) continue;
     for (const std::uint32_t material : materials)
-      for (const FactorNode& factor : factors_of(scene.materials[material], material))
+      for (const FactorNode& factor : factors_of(scene.materials[material], material)) {
         pairs_.push_back({i, material, factor, to_xyz(lit, values(factor))});
+        if (factor.kind != FactorKind::diffuse || !scene.materials[material].fluorescence) continue;
+        const Xyz more = emission_xyz(scene.reradiated_by(i, material).power, observer);
+        for (std::size_t axis = 0; axis < 3; ++axis) pairs_.back().xyz[axis] += more[axis];
+      }
   }
 }
 
@@ -60,7 +64,10 @@ std::vector<LightError> DirectColors::errors(const Method& method) const {
   Gather gather(scene_.lights.size());
   const auto seen = [&](std::uint32_t light, const FactorNode& factor) {
     gather.clear();
-    gather.add(0, light, factor, static_cast<float>(1 / scene_.lights[light].luminance));
+    const auto weight = static_cast<float>(1 / scene_.lights[light].luminance);
+    gather.add(0, light, factor, weight);
+    if (factor.kind == FactorKind::diffuse && scene_.materials[factor.index].fluorescence)
+      gather.add(0, light, {FactorKind::reradiate, factor.index, 0}, weight);
     const std::array<float, 3> xyz = method.resolve(gather, 1, *scratch);
     return Xyz{xyz[0], xyz[1], xyz[2]};
   };

@@ -12,7 +12,8 @@ namespace metamer {
 ///
 /// and so Y and Z. Methods with bands have the rows' spectra as values and the observer's, times
 /// the light's, as sensors; those that know each light on each row have these as values and share
-/// three sensors. Vectors are padded with zeros to whole groups of four.
+/// three sensors; of a scene that re-radiates, all methods do. Vectors are padded with zeros to
+/// whole groups of four.
 struct DirectTables {
   std::uint32_t size = 0;           ///< Of a vector, in groups of four, as are all strides.
   std::uint32_t row_stride = 0;     ///< From a row's vector of values to the next row's,
@@ -23,5 +24,8 @@ struct DirectTables {
   /// three of the observer. Empty where a method has none.
   std::vector<float> lights, observer;
 };
+
+/// Of methods that know X Y Z of each row under each light: by row, three a light.
+DirectTables tables_of_colors(const std::vector<std::vector<float>>& colors);
 
 }  // namespace metamer

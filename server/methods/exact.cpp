@@ -17,7 +17,7 @@ class Exact : public Method {
 
   struct Carriers : Scratch {
     explicit Carriers(const ExactTables& tables)
-        : sensors(tables), by_emission(tables.bands.lights()) {}
+        : sensors(tables), by_emission(tables.emissions()) {}
     std::vector<float> values;
     std::vector<char> is_filled;  ///< By chain: some light is in its bands.
     MetSensors sensors;
@@ -53,7 +53,7 @@ class Exact : public Method {
     if (gather.chains().size() == 1) return costs::terms(gather) * 3;
     // Of a surface's lights, a loop for each spectrum.
     const std::size_t loops =
-        gather.surfaces().size() * tables_.bands.lights() + gather.terms().size();
+        gather.surfaces().size() * tables_.emissions() + gather.terms().size();
     return costs::terms(gather) * 3 +
            (static_cast<double>(loops) + 2 * costs::chains(gather) + 1) * costs::loop(stride());
   }

@@ -20,6 +20,7 @@ SceneBands scene_bands(const RenderScene& scene, const Observer& observer, std::
       mirrors.insert({mirror_factor(scene.materials[i], i, 1).kind, i});
   std::vector<const Spectrum*> emissions;
   for (const Spectrum& emission : scene.emissions) emissions.push_back(&emission);
+  for (const RenderScene::Reradiated& one : scene.reradiated) emissions.push_back(&one.power);
   std::uint32_t longest = mirrors.empty() ? 0 : depth;
   // At each clear surface an interface, and a way through what lies behind it; to the light again.
   if (!scene.media.empty()) longest = std::min(2 * depth + 4, longest_probed);
@@ -31,7 +32,7 @@ SceneBands scene_bands(const RenderScene& scene, const Observer& observer, std::
 ExactTables::ExactTables(const RenderScene& scene, const Observer& observer, std::uint32_t depth)
     : bands(scene_bands(scene, observer, depth)),
       rows(scene),
-      white(bands.lights(), bands.bands().nm.size()),
+      white(scene.emissions.size(), bands.bands().nm.size()),
       values(rows.size(), bands.bands().nm.size()),
       at_edges(rows.size(), bands.bands().edges.size()),
       is_linear(rows.size()) {
@@ -44,6 +45,9 @@ ExactTables::ExactTables(const RenderScene& scene, const Observer& observer, std
   for (const RenderLight& light : scene.lights)
     lights.push_back({light.emission, static_cast<float>(light.luminance)});
 
+  for (const RenderScene::Reradiated& one : scene.reradiated)
+    reradiated.push_back(static_cast<float>(one.luminance));
+
   white = sensors(FactorRows::white);
   const auto& first = bands.bands().first;
   for (std::uint32_t row = 0; row < rows.size(); ++row) {
@@ -54,11 +58,23 @@ ExactTables::ExactTables(const RenderScene& scene, const Observer& observer, std
                          std::accumulate(seen.row(light.emission) + first[axis],
                                          seen.row(light.emission) + first[axis + 1], 0.0f));
   }
+  for (const std::uint32_t material : rows.fluorescent())
+    for (std::size_t i = 0; i < 3 * lights.size(); ++i)
+      direct.push_back(direct_color(rows.diffuse(material))[i] +
+                       direct_color(rows.row({FactorKind::reradiate, material, 0}))[i]);
 }
 
 BandTable ExactTables::sensors(std::uint32_t row) const {
-  BandTable seen(bands.lights(), values.bands());
-  for (std::size_t light = 0; light < bands.lights(); ++light) {
+  BandTable seen(emissions(), values.bands());
+  const auto fluorescence = rows.fluorescence(row);
+  const std::size_t fluorescences = reradiated.size() / std::max<std::size_t>(1, emissions());
+  for (std::size_t light = 0; light < emissions(); ++light) {
+    if (fluorescence) {
+      const std::size_t own = light * fluorescences + *fluorescence;
+      const std::vector<float> ones(at_edges.bands(), reradiated[own]);
+      seen.set(light, bands.sensors(emissions() + own, ones));
+      continue;
+    }
     if (is_linear[row]) {
       seen.set(light, bands.sensors(light, {at_edges.row(row), at_edges.bands()}));
       continue;
@@ -71,24 +87,20 @@ BandTable ExactTables::sensors(std::uint32_t row) const {
 
 double ExactTables::preparation_cost() const {
   const auto lines = static_cast<std::size_t>(std::count(is_linear.begin(), is_linear.end(), true));
-  const std::size_t bent = is_linear.size() - lines, emissions = bands.lights();
+  const std::size_t bent = is_linear.size() - lines;
   const std::size_t size = values.bands() + at_edges.bands();
-  return costs::table(lines, (1 + 3 * emissions) * size) + costs::table(4 * bent, values.bands()) +
-         costs::band_choice(bands.bands().curve_count, emissions);
+  return costs::table(lines, (1 + 3 * emissions()) * size) +
+         costs::table(4 * bent, values.bands()) +
+         costs::band_choice(bands.bands().curve_count, bands.lights());
 }
 
 /// Each signature is X Y Z already.
 DirectTables ExactTables::direct_tables() const {
-  DirectTables tables{.size = 1,
-                      .row_stride = static_cast<std::uint32_t>(lights.size()),
-                      .light_stride = 1,
-                      .sensor_stride = 0,
-                      .values = std::vector<float>(direct.size() / 3 * 4),
-                      .sensors = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0},
-                      .lights = {},
-                      .observer = {}};
-  for (std::size_t i = 0; i < direct.size(); ++i) tables.values[i / 3 * 4 + i % 3] = direct[i];
-  return tables;
+  std::vector<std::vector<float>> colors;
+  const std::size_t size = 3 * lights.size();
+  for (auto row = direct.begin(); row != direct.end(); row += static_cast<std::ptrdiff_t>(size))
+    colors.emplace_back(row, row + static_cast<std::ptrdiff_t>(size));
+  return tables_of_colors(colors);
 }
 
 }  // namespace metamer

@@ -23,6 +23,9 @@ struct ExactTables {
   DirectTables direct_tables() const;
   double preparation_cost() const;
 
+  /// The emissions of lights; behind them, the bands have what is re-radiated.
+  std::size_t emissions() const { return bands.lights() - reradiated.size(); }
+
   struct Light {
     std::uint32_t emission;
     float luminance;
@@ -35,7 +38,8 @@ struct ExactTables {
   BandTable at_edges;  ///< The same by edge (ChainBands) of rows that are lines between these.
   std::vector<bool> is_linear;  ///< By row.
   std::vector<Light> lights;
-  std::vector<float> direct;  ///< X Y Z by row and light.
+  std::vector<float> reradiated;  ///< Luminances of RenderScene::reradiated.
+  std::vector<float> direct;      ///< X Y Z by row and light, of the rows of DirectTables.
 };
 
 /// The sensors of the rows that a thread has met.

@@ -201,10 +201,14 @@ std::unique_ptr<Method> make_fitted(const v1::Plan& plan, const RenderScene& sce
 
   // The weights stand for every nanometre, so a light has its luminance by every nanometre.
   const Wavelengths every = observer_wavelengths();
-  const Eigen::MatrixXd powers = light_columns(scene, observer_weights(choice, every), every);
-  BandTable lights(scene.lights.size(), nm.size());
-  for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    lights.set(i, to_list(powers(chosen, static_cast<Index>(i))));
+  const ObserverWeights observer = observer_weights(choice, every);
+  LightTables lights(scene, nm.size(), [&](const Spectrum& emission, double luminance) {
+    const std::vector<double> power = mean_power(emission, every);
+    const double scale = luminance_scale(observer, power, luminance);
+    std::vector<double> values;
+    for (const Index row : chosen) values.push_back(scale * power[static_cast<std::size_t>(row)]);
+    return values;
+  });
 
   FactorRows rows(scene);
   BandTable values(rows.size(), nm.size());

@@ -109,6 +109,17 @@ class LinearMethod : public Method {
   std::size_t lights_, bases_;
 };
 
+/// A Φ(λ) of each emission and fluorescence, with Σ A² = that of the lights that have the emission.
+Eigen::MatrixXd reradiated_by_lights(const RenderScene& scene, const ObserverWeights& observer) {
+  std::vector<double> squares(scene.emissions.size());
+  for (const RenderLight& light : scene.lights)
+    squares[light.emission] += light.luminance * light.luminance;
+  Eigen::MatrixXd columns = reradiated_columns(scene, observer, observer_wavelengths());
+  for (Eigen::Index i = 0; i < columns.cols(); ++i)
+    columns.col(i) *= std::sqrt(squares[static_cast<std::size_t>(i) / scene.fluorescences.size()]);
+  return columns;
+}
+
 }  // namespace
 
 LinearBasis scene_basis(const v1::Linear& method, const Observer& choice,
@@ -122,6 +133,7 @@ LinearBasis scene_basis(const v1::Linear& method, const Observer& choice,
   surfaces.array() += 1;  // a light by itself, over white
   Eigen::MatrixXd gram =
       products(light_columns(scene, observer, wavelengths)).cwiseProduct(surfaces);
+  if (!scene.reradiated.empty()) gram += products(reradiated_by_lights(scene, observer));
   if (method.bounce()) gram.array() *= surfaces.array();
 
   Eigen::VectorXd inner = to_vector(wavelengths.widths());
@@ -149,6 +161,31 @@ void plan_linear(const RenderScene& scene, const v1::Settings& settings, v1::Pla
              "settings.method.linear.bases", "span", "function", plan);
 }
 
+namespace {
+
+/// What is re-radiated is a vector for each light; with diffuse, rows of DirectTables.
+void add_reradiated(const RenderScene& scene, const ObserverWeights& observer,
+                    const LinearBasis& basis, const FactorRows& rows, BandTable& reflected) {
+  const Eigen::MatrixXd emitted = reradiated_columns(scene, observer, observer_wavelengths());
+  const std::size_t count = scene.lights.size();
+  for (const FactorRows::Reradiating& one : rows.reradiating())
+    for (std::uint32_t light = 0; light < count; ++light)
+      reflected.set(one.row * count + light,
+                    to_list(scene.lights[light].luminance *
+                            basis.project(emitted.col(static_cast<Eigen::Index>(
+                                scene.reradiated_index(light, one.fluorescence))))));
+  for (const std::uint32_t material : rows.fluorescent()) {
+    const std::size_t diffuse = rows.diffuse(material),
+                      own = rows.row({FactorKind::reradiate, material, 0});
+    for (std::size_t light = 0; light < count; ++light)
+      for (std::size_t i = 0; i < reflected.bands(); ++i)
+        reflected.row(rows.direct_diffuse(material) * count + light)[i] =
+            reflected.row(diffuse * count + light)[i] + reflected.row(own * count + light)[i];
+  }
+}
+
+}  // namespace
+
 std::unique_ptr<Method> make_linear(const v1::Plan& plan, const RenderScene& scene) {
   const Observer& choice = scene.observer;
   const Wavelengths wavelengths = observer_wavelengths();
@@ -158,23 +195,24 @@ std::unique_ptr<Method> make_linear(const v1::Plan& plan, const RenderScene& sce
   const Eigen::MatrixXd lights = light_columns(scene, observer, wavelengths);
 
   FactorRows rows(scene);
-  BandTable reflected(rows.size() * scene.lights.size(), bases);
+  const std::size_t count = scene.lights.size();
+  BandTable reflected((rows.size() + rows.fluorescent().size()) * count, bases);
   BandTable matrices(rows.size() * bases, bases);
   rows.for_each(scene, wavelengths.nm(), [&](std::uint32_t row, const std::vector<double>& at) {
     const Eigen::VectorXd values = to_vector(at);
-    for (std::size_t light = 0; light < scene.lights.size(); ++light)
-      reflected.set(row * scene.lights.size() + light,
-                    to_list(basis.project(
-                        values.cwiseProduct(lights.col(static_cast<Eigen::Index>(light))))));
+    for (std::size_t light = 0; light < count; ++light)
+      reflected.set(row * count + light, to_list(basis.project(values.cwiseProduct(
+                                             lights.col(static_cast<Eigen::Index>(light))))));
     const Eigen::MatrixXd matrix = basis.reflect(values);
     for (std::size_t i = 0; i < bases; ++i)
       matrices.set(row * bases + i, to_list(matrix.col(static_cast<Eigen::Index>(i))));
   });
 
+  add_reradiated(scene, observer, basis, rows, reflected);
+
   BandTable xyz(3, bases);
   for (std::size_t axis = 0; axis < 3; ++axis)
     xyz.set(axis, to_list(basis.functions.transpose() * to_vector(observer.weights[axis])));
-  const std::size_t count = scene.lights.size();
   return std::make_unique<LinearMethod>(
       std::move(rows),
       LinearMethod::Tables{std::move(reflected), std::move(matrices), std::move(xyz)}, count,

@@ -24,16 +24,14 @@ std::unique_ptr<Method> make(const Wavelengths& wavelengths, const Observer& cho
   const std::size_t bands = wavelengths.size();
 
   // Give each light its luminance with these very samples, E[3.2-4].
-  BandTable lights(scene.lights.size(), bands);
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const Spectrum& emission = scene.emissions[scene.lights[i].emission];
+  LightTables lights(scene, bands, [&](const Spectrum& emission, double luminance) {
     auto power = cells ? cell_power(emission, wavelengths.nm())
                        : resample(emission, wavelengths.nm(), Outside::zero).values;
     // An observer of bands falls below 0 beside what it sees: light there stays dark.
-    const double scale = std::max(0.0, luminance_scale(observer, power, scene.lights[i].luminance));
+    const double scale = std::max(0.0, luminance_scale(observer, power, luminance));
     for (double& value : power) value *= scale;
-    lights.set(i, power);
-  }
+    return power;
+  });
 
   FactorRows rows(scene);
   BandTable values(rows.size(), bands);
@@ -77,6 +75,12 @@ void plan_point(const RenderScene& scene, const v1::Settings& settings, v1::Plan
   if (settings.method().point().has_fitted()) return plan_fitted(scene, settings, plan);
   const Wavelengths wavelengths = wavelengths_of_point(settings.method());
   plan.set_bands(static_cast<std::uint32_t>(wavelengths.size()));
+  if (settings.method().point().multi_pass() && !scene.fluorescences.empty()) {
+    plan.mutable_method()->mutable_point()->set_multi_pass(false);
+    v1::Notice* notice = plan.add_notice();
+    notice->set_field("settings.method.point.multi_pass");
+    notice->set_message("has no effect: what fluorescence re-radiates comes of other wavelengths");
+  }
   if (settings.method().point().lights() == v1::Point::BETTER)
     plan.mutable_method()->mutable_point()->set_lights(
         better_lights(wavelengths, scene.observer, scene));

@@ -84,14 +84,12 @@ std::unique_ptr<Method> make_prefilter(const v1::Plan&, const RenderScene& scene
   const std::vector<double> nm = surface_edges(scene);
   const Filter filter = make_filter(scene, observer, nm);
 
-  BandTable lights(scene.lights.size(), 3);
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const RenderLight& light = scene.lights[i];
-    const Xyz xyz = white_of(scene.emissions[light.emission], observer);
+  LightTables lights(scene, 3, [&](const Spectrum& emission, double luminance) {
+    const Xyz xyz = white_of(emission, observer);
     const Eigen::Vector3d values =
-        filter.to_values * (light.luminance * Eigen::Vector3d(xyz[0], xyz[1], xyz[2]));
-    lights.set(i, to_list(values.cwiseQuotient(filter.white)));
-  }
+        filter.to_values * (luminance * Eigen::Vector3d(xyz[0], xyz[1], xyz[2]));
+    return to_list(values.cwiseQuotient(filter.white));
+  });
 
   FactorRows rows(scene);
   BandTable values(rows.size(), 3);

@@ -14,10 +14,9 @@ std::vector<double> as_list(const Rgb& rgb) { return {rgb.begin(), rgb.end()}; }
 
 std::unique_ptr<Method> make_rgb(const v1::Plan&, const RenderScene& scene) {
   const Observer& observer = scene.observer;
-  BandTable lights(scene.lights.size(), 3);
-  for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    lights.set(i, as_list(light_rgb(observer, scene.emissions[scene.lights[i].emission],
-                                    scene.lights[i].luminance)));
+  LightTables lights(scene, 3, [&](const Spectrum& emission, double luminance) {
+    return as_list(light_rgb(observer, emission, luminance));
+  });
 
   FactorRows rows(scene);
   BandTable values(rows.size(), 3);

@@ -56,6 +56,42 @@ Eigen::MatrixXd light_columns(const RenderScene& scene, const ObserverWeights& o
   return to_matrix(columns, static_cast<Eigen::Index>(wavelengths.size()));
 }
 
+Eigen::MatrixXd reradiated_columns(const RenderScene& scene, const ObserverWeights& observer,
+                                   const Wavelengths& wavelengths) {
+  std::vector<Eigen::VectorXd> columns;
+  for (const RenderScene::Reradiated& one : scene.reradiated) {
+    const auto power = mean_power(one.power, wavelengths);
+    columns.push_back(luminance_scale(observer, power, one.luminance) * to_vector(power));
+  }
+  return to_matrix(columns, static_cast<Eigen::Index>(wavelengths.size()));
+}
+
+std::vector<Eigen::MatrixXd> fluorescent_columns(const RenderScene& scene,
+                                                 const ObserverWeights& observer,
+                                                 const Wavelengths& wavelengths) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (const RenderMaterial& material : scene.materials)
+    if (material.fluorescence) pairs.insert({material.diffuse, *material.fluorescence});
+  std::vector<Eigen::MatrixXd> blocks;
+  if (pairs.empty()) return blocks;
+  const Eigen::MatrixXd emitted = reradiated_columns(scene, observer, wavelengths);
+  for (const auto& [diffuse, fluorescence] : pairs) {
+    const Eigen::VectorXd surface =
+        to_vector(resample(scene.properties[diffuse], wavelengths.nm(), Outside::hold).values);
+    std::vector<Eigen::VectorXd> columns;
+    for (std::size_t e = 0; e < scene.emissions.size(); ++e) {
+      const auto power = mean_power(scene.emissions[e], wavelengths);
+      const double scale = luminance_scale(observer, power, 1);
+      if (!(scale > 0)) continue;
+      const std::size_t own = e * scene.fluorescences.size() + fluorescence;
+      columns.push_back(scale * to_vector(power).cwiseProduct(surface) +
+                        emitted.col(static_cast<Eigen::Index>(own)));
+    }
+    blocks.push_back(to_matrix(columns, static_cast<Eigen::Index>(wavelengths.size())));
+  }
+  return blocks;
+}
+
 Eigen::MatrixXd unit_light_columns(const RenderScene& scene, const ObserverWeights& observer,
                                    const Wavelengths& wavelengths) {
   std::vector<Eigen::VectorXd> columns;

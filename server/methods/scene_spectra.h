@@ -23,6 +23,16 @@ Eigen::MatrixXd light_columns(const RenderScene& scene, const ObserverWeights& o
 Eigen::MatrixXd unit_light_columns(const RenderScene& scene, const ObserverWeights& observer,
                                    const Wavelengths& wavelengths);
 
+/// What fluorescences make of emissions, RenderScene::reradiated, a column each.
+Eigen::MatrixXd reradiated_columns(const RenderScene& scene, const ObserverWeights& observer,
+                                   const Wavelengths& wavelengths);
+
+/// Of each pair of diffuse and fluorescence that some material has, all that comes of it under the
+/// lights of unit_light_columns(): a column each for these.
+std::vector<Eigen::MatrixXd> fluorescent_columns(const RenderScene& scene,
+                                                 const ObserverWeights& observer,
+                                                 const Wavelengths& wavelengths);
+
 /// What a surface may multiply light by; of a Fresnel term, at three angles.
 Eigen::MatrixXd surface_columns(const RenderScene& scene, const Wavelengths& wavelengths);
 

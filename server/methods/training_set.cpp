@@ -17,6 +17,13 @@ Eigen::MatrixXd thinned(const Eigen::MatrixXd& columns, Eigen::Index most) {
   return some;
 }
 
+/// So many of the blocks that they have at most `most` columns.
+std::vector<Eigen::MatrixXd> thinned(std::vector<Eigen::MatrixXd> blocks, Eigen::Index most) {
+  if (!blocks.empty() && blocks.front().cols() > 0)
+    blocks.resize(std::min(blocks.size(), static_cast<std::size_t>(most / blocks.front().cols())));
+  return blocks;
+}
+
 /// The slope of CIELAB's f (CIE 15:2004, 8.2.1) at a value relative to white.
 double lab_slope(double relative) {
   constexpr double knee = 216.0 / 24389, below = 841.0 / 108;
@@ -40,15 +47,20 @@ TrainingSet make_training_set(const RenderScene& scene, const Observer& choice, 
   const Eigen::MatrixXd lights = unit_light_columns(scene, observer, wavelengths);
   const Eigen::MatrixXd surfaces = surface_columns(scene, wavelengths);
 
+  const std::vector<Eigen::MatrixXd> fluorescent =
+      thinned(fluorescent_columns(scene, observer, wavelengths), most / 4);
+
   // As many surfaces as there is room for, and then as many of them in mirrors.
-  const Eigen::Index count = lights.cols(), room = count > 0 ? most / count - 1 : 0;
+  const Eigen::Index count = lights.cols(), bright = static_cast<Eigen::Index>(fluorescent.size()),
+                     room = count > 0 ? std::max<Eigen::Index>(most / count - 1 - bright, 0) : 0;
   const Eigen::MatrixXd once = thinned(surfaces, room);
   const Eigen::Index pairs = room - once.cols();
   const auto side = static_cast<Eigen::Index>(std::sqrt(static_cast<double>(pairs)));
   const Eigen::MatrixXd mirrors = thinned(mirror_columns(scene, wavelengths), side);
   const Eigen::MatrixXd mirrored =
       thinned(surfaces, mirrors.cols() > 0 ? pairs / mirrors.cols() : 0);
-  const Eigen::Index seen_once = once.cols(), seen_twice = mirrors.cols() * mirrored.cols();
+  const Eigen::Index seen_once = once.cols() + bright,
+                     seen_twice = mirrors.cols() * mirrored.cols();
 
   TrainingSet set;
   set.whites = count;
@@ -60,6 +72,10 @@ TrainingSet make_training_set(const RenderScene& scene, const Observer& choice, 
   };
   add(Eigen::VectorXd::Ones(lights.rows()));
   for (Eigen::Index i = 0; i < once.cols(); ++i) add(once.col(i));
+  for (const Eigen::MatrixXd& block : fluorescent) {
+    set.spectra.middleCols(next, count) = block;
+    next += count;
+  }
   for (Eigen::Index i = 0; i < mirrors.cols(); ++i)
     for (Eigen::Index j = 0; j < mirrored.cols(); ++j)
       add(mirrors.col(i).cwiseProduct(mirrored.col(j)));

@@ -36,6 +36,8 @@ Lack lack(Feature feature, const std::string& by) {
       return {notice, "has no effect: the " + by + " has no passes"};
     case Feature::transmission:
       return {refusal, "the " + by + " has no refraction"};
+    case Feature::fluorescence:
+      return {refusal, "the " + by + " has no fluorescence"};
   }
   return {refusal, {}};
 }
@@ -91,9 +93,12 @@ std::vector<Need> features_of(const RenderScene& scene, const v1::Settings& sett
       needs);
   need_of_lights(scene, Feature::area_lights, RenderLight::Source::surface, needs);
   if (scene.environment) needs.push_back({Feature::environment, scene.environment->field});
-  if (settings.method().point().multi_pass())
-    needs.push_back({Feature::multi_pass, "settings.method.point.multi_pass"});
-  return needs;
+      scene, Feature::fluorescence,
+      [](const Object&, const Material& m) {
+    return m.fluorescence.has_value(); }, needs);
+      if (settings.method().point().multi_pass())
+        needs.push_back({Feature::multi_pass, "settings.method.point.multi_pass"});
+      return needs;
 }
 
 Need need_of_factors() { return {Feature::factors, {}}; }

@@ -95,6 +95,13 @@ void need_fresnel(const std::vector<const RenderMaterial*>& materials, v1::Plan&
   if (exact.empty()) plan.add_unneeded("Fresnel tables over the cosine: no material has n and k");
 }
 
+void need_fluorescence(const std::vector<const RenderMaterial*>& materials, v1::Plan& plan) {
+  const auto bright =
+      names_of(materials, [](const RenderMaterial& m) { return m.fluorescence.has_value(); });
+  if (!bright.empty())
+    plan.add_need("fluorescence, as a light of its own for each light: " + named(bright));
+}
+
 void need_rays(const RenderScene& scene, const std::vector<const RenderMaterial*>& materials,
                const Capabilities& capabilities, v1::Plan& plan) {
   const auto mirrors = names_of(materials, [](const RenderMaterial& m) { return m.mirror > 0; });
@@ -168,6 +175,7 @@ void list_needs(const RenderScene& scene, const Capabilities& capabilities, v1::
   need_spectra(scene, plan);
   need_models(materials, plan);
   need_fresnel(materials, plan);
+  need_fluorescence(materials, plan);
   need_rays(scene, materials, capabilities, plan);
   if (materials.size() < scene.materials.size())
     plan.add_unneeded(counted(scene.materials.size() - materials.size(), "material") +

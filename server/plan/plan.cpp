@@ -161,6 +161,14 @@ void notice_smaller_tiles(const v1::Settings& settings, v1::Plan& plan) {
                       std::to_string(plan.tile_size()));
 }
 
+/// Light that met something else before can't be told from light that is seen through it.
+void notice_light_through(const RenderScene& scene, v1::Plan& plan) {
+  if (scene.fluorescences.empty() || scene.media.empty()) return;
+  v1::Notice* notice = plan.add_notice();
+  notice->set_field(scene.fluorescence_fields.front());
+  notice->set_message("light that comes through clear things excites no fluorescence");
+}
+
 /// Who has to have what the scene needs.
 std::vector<Supported> supporters(const v1::Method& method, const Capabilities& capabilities) {
   const auto* name = v1::Method::descriptor()->FindFieldByNumber(method.method_case());
@@ -223,6 +231,7 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
     notice->set_field(told.field);
     notice->set_message(told.message);
   }
+  notice_light_through(scene, plan);
   notice_smaller_tiles(settings, plan);
   notice_skipped_faces(scene, plan);
   notice_objects(scene, plan);

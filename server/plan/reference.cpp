@@ -9,6 +9,7 @@ namespace metamer {
 Wavelengths Reference::cells(const RenderScene& scene, const Observer& observer) {
   std::vector<const Spectrum*> spectra = with_observer(observer, {});
   for (const Spectrum& emission : scene.emissions) spectra.push_back(&emission);
+  for (const RenderScene::Reradiated& one : scene.reradiated) spectra.push_back(&one.power);
   for (const Spectrum& property : scene.properties) spectra.push_back(&property);
   for (const OpticalConstants& constants : scene.constants) {
     spectra.push_back(&constants.n);

@@ -15,7 +15,8 @@ class SpectralFold {
  public:
   using Values = std::vector<double>;
 
-  /// `lights`: the power of each of the scene's at `nm`. `scene` must outlive it.
+  /// `lights`: the power of each of the scene's at `nm`. `scene`, of which is what is re-radiated
+  /// of them, must outlive it.
   SpectralFold(const RenderScene& scene, std::vector<Values> lights, const Values& nm);
 
   /// The sums, by wavelength; they hold until the next call.
@@ -28,8 +29,10 @@ class SpectralFold {
   struct Walk;
 
   std::size_t bands_;
+  const RenderScene& scene_;
   std::vector<Values> lights_;
-  Values carriers_;  ///< Of the pixel under way, chain by chain.
+  std::vector<Values> reradiated_;  ///< RenderScene::reradiated at the wavelengths.
+  Values carriers_;                 ///< Of the pixel under way, chain by chain.
   FactorValues<double> factors_;
 };
 

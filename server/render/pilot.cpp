@@ -6,6 +6,7 @@
 #include <set>
 
 #include "common/color/error_statistics.h"
+#include "server/transport/factor_rows.h"
 #include "server/transport/mirror.h"
 
 namespace metamer {
@@ -18,7 +19,7 @@ constexpr std::size_t max_scene_colors = 2048;
 class ColorPatch {
  public:
   ColorPatch(const RenderScene& scene, std::uint32_t light)
-      : light_(light), gather_(scene.lights.size()) {}
+      : light_(light), gather_(gather_for(scene)) {}
 
   ColorPatch over(const Factor& factor) const {
     ColorPatch other = *this;

@@ -11,6 +11,7 @@
 #include "common/scene/reflection.h"
 #include "common/scene/settings.h"
 #include "server/scene/environment.h"
+#include "server/scene/fluorescences.h"
 #include "server/scene/light_parameters.h"
 #include "server/scene/media.h"
 #include "server/scene/object_compiler.h"
@@ -64,6 +65,7 @@ class Compiler {
     for (int i = 0; i < scene_.light_size(); ++i) light(i);
     for (int i = 0; i < scene_.material_size(); ++i) material(i);
     for (int i = 0; i < scene_.material_size() && !cancelled_; ++i) texture(i);
+    if (to_.problems.empty()) to_.problems = add_fluorescences(scene_, to_.assets, result_);
     if (parts == Parts::all) objects();
     if (parts == Parts::all)
       if (auto fault = find_interfaces(result_, result_)) to_.problems.push_back(*std::move(fault));

@@ -14,6 +14,7 @@
 #include "common/models/reflection.h"
 #include "common/scene/fresnel.h"
 #include "common/spectral/cie.h"
+#include "common/spectral/fluorescence.h"
 #include "server/scene/sky_picture.h"
 #include "server/scene/texture.h"
 
@@ -69,6 +70,7 @@ struct RenderMaterial {
   /// Index into RenderScene::textures; its spectra and `diffuse` share the diffuse lobe.
   std::optional<std::uint32_t> texture = {};
   std::uint32_t medium = 0;  ///< Of what its objects enclose, in RenderScene::media; 0: opaque.
+  std::optional<std::uint32_t> fluorescence = {};  ///< Index into RenderScene::fluorescences.
 
   bool has(models::Trait trait) const { return models::entry(reflection.model).traits & trait; }
   bool anisotropic() const;
@@ -136,9 +138,25 @@ struct RenderScene {
   std::vector<RenderInterface> interfaces;  ///< As far as objects touch (find_interfaces).
   std::vector<Spectrum> windows;            ///< Bundles of wavelengths; none: all go the same way.
   double pixel_angle = 1e-3;                ///< Of the settings, radians.
+  std::vector<Fluorescence> fluorescences;  ///< Distinct ones of the materials.
+
+  /// What fluorescences make of emissions: lights, which a factor reradiate has in the place of the
+  /// scene's. By emission, then fluorescence.
+  struct Reradiated {
+    Spectrum power;        ///< Of a light of luminance 1.
+    double luminance = 0;  ///< Its own.
+  };
+  std::vector<Reradiated> reradiated;
+  std::size_t reradiated_index(std::uint32_t light, std::uint32_t fluorescence) const {
+    return lights[light].emission * fluorescences.size() + fluorescence;
+  }
+  /// The material has a fluorescence.
+  const Reradiated& reradiated_by(std::uint32_t light, std::uint32_t material) const {
+    return reradiated[reradiated_index(light, *materials[material].fluorescence)];
+  }
 
   /// The field of the scene that a spectrum was first named in: "material[3].diffuse".
-  std::vector<std::string> emission_fields, property_fields, constants_fields;
+  std::vector<std::string> emission_fields, property_fields, constants_fields, fluorescence_fields;
 
   /// What files were taken for where nobody says it.
   struct Notice {

@@ -16,15 +16,26 @@ FactorSources factor_sources(const RenderScene& scene) {
         {&scene.properties[material.diffuse], &scene.properties[material.specular],
          material.fresnel == FresnelKind::exact ? &scene.constants[material.constants] : nullptr,
          absorbs(scene, material) ? &scene.properties[scene.media[material.medium].transmittance]
-                                  : nullptr});
+                                  : nullptr,
+         material.fluorescence ? &scene.fluorescences[*material.fluorescence] : nullptr});
   for (const RenderInterface& interface : scene.interfaces)
     sources.interfaces.push_back(&scene.constants[interface.constants]);
   for (const Spectrum& window : scene.windows) sources.windows.push_back(&window);
   return sources;
 }
 
+Gather gather_for(const RenderScene& scene) {
+  std::vector<bool> reradiates;
+  if (!scene.fluorescences.empty())
+    for (const RenderMaterial& material : scene.materials)
+      reradiates.push_back(material.fluorescence.has_value());
+  return Gather(scene.lights.size(), std::move(reradiates));
+}
+
 FactorRows::FactorRows(const RenderScene& scene) {
   const FactorSources sources = factor_sources(scene);
+  for (std::uint32_t i = 0; i < scene.materials.size(); ++i)
+    if (scene.materials[i].fluorescence) fluorescent_.push_back(i);
   // Factors of the same source share their rows.
   std::map<std::pair<std::type_index, const void*>, std::uint32_t> known;
   for (const FactorEntry& entry : factor_entries)
@@ -38,11 +49,25 @@ FactorRows::FactorRows(const RenderScene& scene) {
             known.try_emplace({typeid(typename Kind::Table), source}, size_);
         if (is_new) {
           tables_.push_back({entry.kind, index});
+          if (entry.kind == FactorKind::reradiate)
+            reradiating_.push_back({size_, *scene.materials[index].fluorescence});
           size_ += Kind::Table::nodes;
         }
         first_[index * factor_kind_count + static_cast<std::size_t>(entry.kind)] = place->second;
       }
     });
+}
+
+std::optional<std::uint32_t> FactorRows::fluorescence(std::uint32_t row) const {
+  for (const Reradiating& one : reradiating_)
+    if (one.row == row) return one.fluorescence;
+  return std::nullopt;
+}
+
+std::uint32_t FactorRows::direct_diffuse(std::uint32_t material) const {
+  const auto place = std::lower_bound(fluorescent_.begin(), fluorescent_.end(), material);
+  if (place == fluorescent_.end() || *place != material) return diffuse(material);
+  return size_ + static_cast<std::uint32_t>(place - fluorescent_.begin());
 }
 
 FactorRows::Mix FactorRows::mix(const Factor& factor) const {

@@ -3,15 +3,20 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "common/transport/factor_kinds.h"
 #include "server/scene/render_scene.h"
+#include "server/transport/gather.h"
 
 namespace metamer {
 
 /// What a compiled scene's factors are made of; it must outlive the answer.
 FactorSources factor_sources(const RenderScene& scene);
+
+/// What a pixel of a scene gathers in: with what its materials re-radiate.
+Gather gather_for(const RenderScene& scene);
 
 /// Everything by which a scene multiplies light, as numbered rows: a row for each distinct node of
 /// its factors (common/transport/factors.def). Methods keep a table of what each row is to them;
@@ -34,6 +39,20 @@ class FactorRows {
   std::uint32_t specular(std::uint32_t material) const {
     return row({FactorKind::specular, material, 0});
   }
+
+  /// The rows of fluorescences, which have light of their own: RenderScene::reradiated.
+  struct Reradiating {
+    std::uint32_t row, fluorescence;
+  };
+  const std::vector<Reradiating>& reradiating() const { return reradiating_; }
+  /// The fluorescence of a row; nothing: it is none.
+  std::optional<std::uint32_t> fluorescence(std::uint32_t row) const;
+
+  /// The materials that re-radiate. DirectTables have a row more for each, behind all of these:
+  /// what their diffuse weights are worth, with what is re-radiated.
+  const std::vector<std::uint32_t>& fluorescent() const { return fluorescent_; }
+  /// The row there of a material's diffuse weight.
+  std::uint32_t direct_diffuse(std::uint32_t material) const;
 
   /// What a factor is in rows: a weighted sum of one or two.
   struct Mix {
@@ -62,6 +81,8 @@ class FactorRows {
   std::vector<Table> tables_;  ///< In the order of their rows.
   std::vector<std::uint32_t>
       first_;  ///< The first row of each index and kind; 0 where it has none.
+  std::vector<Reradiating> reradiating_;
+  std::vector<std::uint32_t> fluorescent_;
   std::uint32_t size_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "common/transport/factor.h"
@@ -25,11 +26,16 @@ struct LobeWeights {
 /// tabulate. Most terms are the three lobes of a surface, which are kept as a block for all lights.
 class Gather {
  public:
-  explicit Gather(std::size_t lights) : lights_(lights) { clear(); }
+  /// `reradiates`: of the scene's materials (reradiating()); empty: none does.
+  explicit Gather(std::size_t lights, std::vector<bool> reradiates = {})
+      : lights_(lights), reradiates_(std::move(reradiates)) {
+    clear();
+  }
 
   struct Chain {
     std::uint32_t parent;  ///< The chain without its last factor; lower than its own index.
     Factor factor;         ///< The last; of chain 0 none.
+    bool before = false;   ///< Light has met some of it before it met the surface.
   };
   /// Where a material is seen along a chain.
   struct Surface {
@@ -53,12 +59,12 @@ class Gather {
 
   /// The chain that continues `parent` by `factor`.
   std::uint32_t chain(std::uint32_t parent, const Factor& factor) {
-    // Children come after their parent; that of a tree's newest branch is among the newest.
-    for (std::size_t i = chains_.size() - 1; i > parent; --i)
-      if (chains_[i].parent == parent && chains_[i].factor == factor)
-        return static_cast<std::uint32_t>(i);
-    chains_.push_back({parent, factor});
-    return static_cast<std::uint32_t>(chains_.size() - 1);
+    return chain(parent, factor, false);
+  }
+  /// The same by what light meets before it meets the surface. Products commute, so that it may
+  /// stand behind the surface, too; but for what is re-radiated, which is left out there.
+  std::uint32_t chain_before(std::uint32_t parent, const Factor& factor) {
+    return chain(parent, factor, true);
   }
 
   /// The surface of `material` seen along `chain`.
@@ -98,17 +104,34 @@ class Gather {
     return std::span(weights_).subspan(surface * lights_, lights_);
   }
 
-  /// For fold(): the lobes of each surface by carrier.lobes(chain, material, weights by light),
-  /// then the other terms.
+  /// For fold(): the lobes of each surface by carrier.lobes(chain, material, weights by light), and
+  /// as terms what it re-radiates, which spreads as its diffuse lobe; then the other terms.
   template <class Carrier>
   void for_each_term(Carrier& carrier) const {
-    for (std::size_t s = 0; s < surfaces_.size(); ++s)
-      carrier.lobes(surfaces_[s].chain, surfaces_[s].material, weights(s));
+    for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+      const auto [chain, material] = surfaces_[s];
+      carrier.lobes(chain, material, weights(s));
+      if (reradiates_.empty() || !reradiates_[material] || chains_[chain].before) continue;
+      for (std::uint32_t light = 0; light < lights_; ++light)
+        if (const float weight = weights(s)[light].diffuse; weight != 0)
+          carrier.term(chain, light, FactorNode{FactorKind::reradiate, material, 0}, weight);
+    }
     for (const Term& one : terms_) carrier.term(one.chain, one.light, one.factor, one.weight);
   }
 
  private:
+  std::uint32_t chain(std::uint32_t parent, const Factor& factor, bool before) {
+    before = before || chains_[parent].before;
+    // Children come after their parent; that of a tree's newest branch is among the newest.
+    for (std::size_t i = chains_.size() - 1; i > parent; --i)
+      if (chains_[i].parent == parent && chains_[i].factor == factor && chains_[i].before == before)
+        return static_cast<std::uint32_t>(i);
+    chains_.push_back({parent, factor, before});
+    return static_cast<std::uint32_t>(chains_.size() - 1);
+  }
+
   std::size_t lights_;
+  std::vector<bool> reradiates_;  ///< By material.
   std::vector<Chain> chains_;
   std::vector<Surface> surfaces_;
   std::vector<LobeWeights> weights_;

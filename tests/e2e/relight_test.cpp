@@ -12,8 +12,8 @@
 namespace metamer::test {
 namespace {
 
-/// A paint and a metal ball on a varnished floor that mirrors them; `paint` and the lights' spectra
-/// are put in.
+/// A paint that fluoresces and a metal ball on a varnished floor that mirrors them; `paint` and the
+/// lights' spectra are put in.
 std::string scene_text(const std::string& paint, const std::string& light) {
   return R"(
     camera { eye { y: 1.5 z: 4 } target { y: 0.4 } }
@@ -25,6 +25,11 @@ std::string scene_text(const std::string& paint, const std::string& light) {
       name: "paint" specularness: 0.3 phong { shininess: 40 }
       diffuse { )" +
          paint + R"( }
+      fluorescence {
+        excitation { samples { wavelength: [300, 370, 420] value: [0.05, 0.2, 0.02] } }
+        emission { samples { wavelength: [410, 440, 470, 560] value: [0, 1, 0.8, 0] } }
+        quantum_yield: 0.8
+      }
     }
     material {
       name: "gold" diffuseness: 0 specularness: 0.5 mirror: 0.6 cook_torrance {}
@@ -98,6 +103,30 @@ TEST_F(Relit, WithAnotherPaintIsThePictureRenderedWithIt) {
                  "standard: \"D65\""));
   expect_same(picture({"relight", factors, "--material", "paint=" + blue}),
               picture({"render", scene}));
+}
+
+TEST_F(Relit, OfABispectralMatrixIsThePictureRenderedByAnotherLight) {
+  folder.write("glow.csv", "excitation,420,450,500\n300,.001,.002,0\n400,.002,.004,.001\n");
+  const auto scene = [&](const std::string& name, const std::string& light) {
+    std::string text = scene_text(red, light);
+    const std::size_t at = text.find("fluorescence {"), end = text.find("quantum_yield: 0.8");
+    text.replace(at, end + 18 - at, "fluorescence { file: \"glow.csv\"");
+    return folder.write(name, text);
+  };
+  const std::string file = folder / "matrix.factors";
+  picture({"render", scene("d65.txtpb", "standard: \"D65\""), "--keep-factors=" + file});
+  expect_same(picture({"relight", file, "--light", "key=A"}),
+              picture({"render", scene("a.txtpb", "standard: \"A\"")}));
+}
+
+TEST_F(Relit, SendsOutNoMoreThanComes) {
+  const std::string white = folder.write("white.txt", "400 0.95\n700 0.95\n");
+  const Ended ended =
+      metamer({"relight", keep(), "--material", "paint=" + white, "-o", folder / "x.png"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_NE(ended.err.find("of \"paint\" more light comes out than in at 370 nm"),
+            std::string::npos)
+      << ended.err;
 }
 
 TEST_F(Relit, ForAnotherObserverIsThePictureRenderedForIt) {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "check.h"
+#include "common/spectral/files/bispectral_file.h"
 #include "common/spectral/files/interpret.h"
 #include "common/spectral/files/spectra_text.h"
 
@@ -48,10 +49,25 @@ void check_file(const metamer::SpectrumFile& file) {
         "a spectrum is written and read as the same");
 }
 
+void check_matrix(std::string_view bytes) {
+  const auto matrix = metamer::read_bispectral_file(bytes, "fuzz.csv");
+  if (!matrix) return check(!matrix.error().message.empty(), "a problem says something");
+  check(
+      !metamer::wrong_positions(matrix->excitation) && !metamer::wrong_positions(matrix->emission),
+      "a matrix's wavelengths rise");
+  check(matrix->values.size() == matrix->excitation.size() * matrix->emission.size() &&
+            matrix->values.size() <= metamer::max_bispectral_cells,
+        "a matrix is whole and bounded");
+  check(std::all_of(matrix->values.begin(), matrix->values.end(),
+                    [](double value) { return value >= 0 && std::isfinite(value); }),
+        "a matrix is finite and not negative");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  check_matrix(bytes);
   const auto file = metamer::read_spectrum_file(bytes, "fuzz.txt");
   if (file) {
     check_file(*file);

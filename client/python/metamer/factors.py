@@ -19,6 +19,7 @@ from google.protobuf.message import DecodeError
 from metamer import absorption
 from metamer.errors import InputError, ProtocolError
 from metamer.events import Tile
+from metamer.fluorescence import reradiated
 from metamer.fresnel import fresnel_at_node
 from metamer.spectra import (SEEN, Observer, Quadrature, SceneSpectra, Spectrum, band_means, luminance_of, observer_of,
                              quadrature)
@@ -29,6 +30,7 @@ _WHITE, _DIFFUSE, _SPECULAR, _FRESNEL = (factors_pb2.FACTOR_WHITE, factors_pb2.F
                                          factors_pb2.FACTOR_SPECULAR, factors_pb2.FACTOR_FRESNEL)
 _REFLECT, _TRANSMIT, _ABSORB = factors_pb2.FACTOR_REFLECT, factors_pb2.FACTOR_TRANSMIT, factors_pb2.FACTOR_ABSORB
 _WINDOW = factors_pb2.FACTOR_WINDOW
+_RERADIATE = factors_pb2.FACTOR_RERADIATE
 _NODES = {_FRESNEL: 512, _REFLECT: 512, _TRANSMIT: 512, _ABSORB: absorption.NODES}  # else 1
 Node = tuple[int, int, int]  # term, material, node
 
@@ -66,12 +68,9 @@ class Factors:
         if middles.nm[0] < SEEN[0] or middles.nm[-1] > SEEN[1]:
             raise InputError(f"bands lie between {SEEN[0]:g} and {SEEN[1]:g} nm")
         at = Quadrature(middles.nm, np.ones(len(nm)))
-        observer, rows = observer_of(self.scene.observer), []
-        for light in self.scene.light:
-            power = Spectrum.from_message(light.power)
-            y = luminance_of(power, observer)
-            rows.append(band_means(power, middles.nm) * (light.luminance / y if y > 0 else 0))
-        spectra = [rows[light] * met for light, met in _met(self, self.scene, at)]
+        lights = _Lights(self, self.scene, observer_of(self.scene.observer))
+        rows = [band_means(power, middles.nm) for power in lights.powers]
+        spectra = [rows[light] * met for light, met in _met(self, self.scene, at, lights)]
         return self._pixels(np.array(spectra).reshape(-1, len(nm)))
 
     def _pixels(self, values: np.ndarray) -> np.ndarray:
@@ -106,33 +105,51 @@ def _sampled(spectrum: Spectrum) -> factors_pb2.SampledSpectrum:
 
 def _signature_colors(factors: Factors, scene: factors_pb2.SceneFactors, observer: Observer) -> np.ndarray:
     """(signatures, 3) X Y Z of each at weight 1."""
-    lights = [Spectrum.from_message(light.power).as_emission() for light in scene.light]
+    lights = _Lights(factors, scene, observer)
     length = [0]
     for parent, _ in factors.products:
         length.append(length[parent] + 1)
     spectra = [Spectrum.from_message(s) for m in scene.material
                for s in (m.diffuse, m.specular, m.constants.n, m.constants.k, m.transmittance) if s.nm]
     spectra += [Spectrum.from_message(message) for message in (*(i.n for i in scene.interface), *scene.window)]
-    at = quadrature([*lights, *observer, *spectra], 3 + max(length))
+    at = quadrature([*lights.powers, *observer, *spectra], 3 + max(length))
 
-    # What an observer sees of each light, at Y = its luminance: (lights, 3, points).
+    # What an observer sees of each light: (lights, 3, points).
     functions = np.stack([f.emission_at(at.nm) for f in observer]) * at.widths
-    seen = np.stack([functions * light.emission_at(at.nm) for light in lights])
-    y = seen[:, 1].sum(1)
-    luminance = np.array([light.luminance for light in scene.light])
-    seen *= np.divide(luminance, y, out=np.zeros_like(y), where=y > 0)[:, None, None]
-
-    return np.array([seen[light] @ met for light, met in _met(factors, scene, at)]).reshape(-1, 3)
+    seen = np.stack([functions * power.emission_at(at.nm) for power in lights.powers])
+    return np.array([seen[light] @ met for light, met in _met(factors, scene, at, lights)]).reshape(-1, 3)
 
 
-def _met(factors: Factors, scene: factors_pb2.SceneFactors, at: Quadrature) -> Iterator[tuple[int, np.ndarray]]:
-    """Each signature's light, and the product of all factors that it meets, (points,)."""
+class _Lights:
+    """The scene's lights with their luminance, and behind them those that its fluorescences make of them."""
+
+    def __init__(self, factors: Factors, scene: factors_pb2.SceneFactors, observer: Observer) -> None:
+        self.powers: list[Spectrum] = []
+        self._reradiated: dict[tuple[int, int], int] = {}  # by light and material
+        for light in scene.light:
+            power = Spectrum.from_message(light.power).as_emission()
+            y = luminance_of(power, observer)
+            self.powers.append(Spectrum(power.nm, power.values * (light.luminance / y if y > 0 else 0)))
+        for _, light, (term, material, _) in factors.signatures:
+            if term == _RERADIATE and (light, material) not in self._reradiated:
+                self._reradiated[light, material] = len(self.powers)
+                of = scene.fluorescence[scene.material[material].fluorescence]
+                self.powers.append(reradiated(of, self.powers[light]))
+
+    def of(self, light: int, node: Node) -> int:
+        """Which one comes from a signature's last surface."""
+        return self._reradiated[light, node[1]] if node[0] == _RERADIATE else light
+
+
+def _met(factors: Factors, scene: factors_pb2.SceneFactors, at: Quadrature, lights: _Lights
+         ) -> Iterator[tuple[int, np.ndarray]]:
+    """Each signature's light, one of `lights`, and the product of all factors that it meets, (points,)."""
     values = _NodeValues(scene, at)
     products = [np.ones_like(at.nm)]
     for parent, node in factors.products:
         products.append(products[parent] * values(node))
     for product, light, node in factors.signatures:
-        yield light, products[product] * values(node)
+        yield lights.of(light, node), products[product] * values(node)
 
 
 class _NodeValues:
@@ -149,7 +166,7 @@ class _NodeValues:
 
     def _make(self, term: int, material: int, node: int) -> np.ndarray:
         nm = self._at.nm
-        if term == _WHITE:
+        if term in (_WHITE, _RERADIATE):
             return np.ones_like(nm)
         if term == _WINDOW:
             return Spectrum.from_message(self._scene.window[material]).property_at(nm)
@@ -206,6 +223,8 @@ class FactorsBuilder:
                                  strict=True):
             if parent >= len(products):
                 raise ProtocolError("a product comes before its parent")
+            if node[0] == _RERADIATE:
+                raise ProtocolError("a product re-radiates")
             key = (products[parent], self._sound(*node))
             products.append(self._products.setdefault(key, len(self._products) + 1))
         numbers = []
@@ -218,12 +237,14 @@ class FactorsBuilder:
         return np.array(numbers, np.int64)
 
     def _sound(self, term: int, material: int, node: int) -> Node:
-        if term not in (_WHITE, _DIFFUSE, _SPECULAR, _WINDOW, *_NODES):
+        if term not in (_WHITE, _DIFFUSE, _SPECULAR, _WINDOW, _RERADIATE, *_NODES):
             raise ProtocolError(f"a factor is of a kind that this client does not know ({term})")
         members = {_REFLECT: self._scene.interface, _TRANSMIT: self._scene.interface,
                    _WINDOW: self._scene.window}.get(term, self._scene.material)
         if term != _WHITE and material >= len(members) or node >= _NODES.get(term, 1):
             raise ProtocolError("a factor names what does not exist")
+        if term == _RERADIATE and not self._scene.material[material].HasField("fluorescence"):
+            raise ProtocolError("a factor names a fluorescence that does not exist")
         return term, material, node
 
     def finish(self) -> Factors:

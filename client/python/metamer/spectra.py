@@ -69,7 +69,11 @@ def quadrature(spectra: Iterable[Spectrum], degree: int) -> Quadrature:
     """Gauss and Legendre's in every cell between the samples of all spectra: exact for a product of straight lines that
     is a polynomial of at most this degree in each cell."""
     inner = [spectrum.nm[(spectrum.nm > SEEN[0]) & (spectrum.nm < SEEN[1])] for spectrum in spectra]
-    edges = np.unique(np.concatenate([np.array(SEEN), *inner]))
+    return cells(np.unique(np.concatenate([np.array(SEEN), *inner])), degree)
+
+
+def cells(edges: np.ndarray, degree: int) -> Quadrature:
+    """Gauss and Legendre's in every cell between `edges` (rising)."""
     points, weights = np.polynomial.legendre.leggauss(degree // 2 + 1)
     half = np.diff(edges)[:, None] / 2
     return Quadrature((edges[:-1, None] + half * (1 + points)).ravel(), (half * weights).ravel())

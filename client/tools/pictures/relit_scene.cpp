@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "client/relight/reradiated_lights.h"
 #include "client/tools/pictures/relit.h"
 
 namespace metamer::client {
@@ -85,6 +86,8 @@ class Relighting {
     });
   }
 
+  const v1::SceneFactors& scene() const { return relit_.scene; }
+
   RelitScene take() {
     plan_relit(relit_.scene, relit_.plan);
     return std::move(relit_);
@@ -121,6 +124,8 @@ Result<RelitScene> relit_scene(const Factors& factors, const v1::Scene& rendered
       return tl::unexpected(std::move(done.error()));
   if (auto done = relighting.observer(rendered.settings(), wanted.settings()); !done)
     return tl::unexpected(std::move(done.error()));
+  if (const std::string fault = energy_fault(relighting.scene()); !fault.empty())
+    return problem(fault);
   return relighting.take();
 }
 

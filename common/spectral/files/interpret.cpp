@@ -77,7 +77,9 @@ std::optional<std::string> range_fault(const Spectrum& spectrum, Quantity quanti
     if (value < 0) return "a " + quantity_text(quantity) + " must lie in 0..1 (it is " + at + ")";
     if (value > 1 && is_property(quantity))
       return "a " + quantity_text(quantity) + " must lie in 0..1 (it is " + at +
-             "): above 1 is fluorescence, which clamp leaves out, or another scale";
+             "): above 1 is fluorescence, which clamp leaves out and Material.fluorescence models, "
+             "or "
+             "another scale";
   }
   return std::nullopt;
 }

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <limits>
+#include <tuple>
 
 #include "common/scene/settings.h"
 #include "server/cpu/tracer.h"
@@ -19,7 +20,12 @@ using namespace metamer;
 struct Case {
   const char* mirror;  ///< Its Fresnel term, as a scene has it.
   unsigned lights, materials;
+  const char* paint;  ///< What all paints have beside diffuse.
 };
+
+constexpr const char* glow =
+    "fluorescence { excitation { samples { wavelength: [300, 370, 420] value: [0.1, 0.5, 0] } } "
+    "emission { samples { wavelength: [410, 450, 560] value: [0, 1, 0] } } quantum_yield: 0.8 }";
 
 std::string number(double value) { return std::to_string(value); }
 
@@ -40,8 +46,8 @@ std::string scene_text(const Case& of) {
     const std::string name = std::to_string(i);
     text += "material { name: 'p" + name + "' diffuse { samples { wavelength: [400, " +
             std::to_string(420 + i * 37 % 260) + ", 700] value: [0.1, 0.8, " +
-            number(i % 10 / 10.0) +
-            "] } } blinn_phong { shininess: 20 } specularness: 0.2 } object { name: 'o" + name +
+            number(i % 10 / 10.0) + "] } } " + of.paint +
+            " blinn_phong { shininess: 20 } specularness: 0.2 } object { name: 'o" + name +
             "' material: 'p" + name + "' sphere { center { x: " + scattered(i, 0.618, 6) +
             " y: " + scattered(i, 0.414, 3) + " z: " + scattered(i, 0.732, 4) +
             " } radius: " + number(radius) + " } } ";
@@ -118,20 +124,22 @@ double ratio(const RenderScene& scene, const cpu::EmbreeScene& geometry, unsigne
 
 int main(int count, char** arguments) {
   const unsigned turns = count > 1 ? static_cast<unsigned>(std::atoi(arguments[1])) : 5;
-  const std::pair<const char*, const char*> mirrors[] = {
-      {"gold", "fresnel { conductor { metal: 'Au' } }"},
-      {"copper", "fresnel { conductor { metal: 'Cu' } }"},
-      {"glass", "fresnel { dielectric { medium: 'N-BK7' } }"},
-      {"plain", "specular { samples { wavelength: [400, 560, 700] value: [0.3, 0.5, 0.9] } }"}};
+  const std::tuple<const char*, const char*, const char*> mirrors[] = {
+      {"gold", "fresnel { conductor { metal: 'Au' } }", ""},
+      {"copper", "fresnel { conductor { metal: 'Cu' } }", ""},
+      {"glass", "fresnel { dielectric { medium: 'N-BK7' } }", ""},
+      {"plain", "specular { samples { wavelength: [400, 560, 700] value: [0.3, 0.5, 0.9] } }", ""},
+      {"glow", "fresnel { dielectric { medium: 'N-BK7' } }", glow}};
   const unsigned depths[] = {0, 1, 2, 4, 8, 16};
   std::printf("exact / rgb by depth%21s", "");
   for (const unsigned depth : depths) std::printf("%7u", depth);
   std::printf("\n");
   const std::atomic<bool> never = false;
-  for (const auto& [name, mirror] : mirrors)
+  for (const auto& [name, mirror, paint] : mirrors)
     for (const unsigned lights : {1u, 8u, 64u})
       for (const unsigned materials : {1u, 10u, 1000u}) {
-        const RenderScene scene = test::compile_text(scene_text({mirror, lights, materials}));
+        const RenderScene scene =
+            test::compile_text(scene_text({mirror, lights, materials, paint}));
         const auto geometry = cpu::EmbreeScene::build(scene, never);
         std::printf("%-8s %2u lights, %4u materials  ", name, lights, materials);
         for (const unsigned depth : depths) {

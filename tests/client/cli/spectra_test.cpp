@@ -62,6 +62,27 @@ TEST_F(Spectra, InfoOfAnIlluminantIsThePublishedOne) {
   EXPECT_GT(light["cie-1964-10deg"]["luminance"], 0);
 }
 
+TEST_F(Spectra, InfoOfABispectralMatrix) {
+  const std::string sound =
+      write("glow.csv", "excitation,420,440,500\n300,0,.001,0\n400,.002,.004,.001\n");
+  const Said said = say({"spectra", "info", sound});
+  ASSERT_EQ(said.code, ExitCode::done) << said.err;
+  EXPECT_EQ(said.out, sound +
+                          ": bispectral matrix\n"
+                          "  excitation   300 to 400 nm, 2 wavelengths\n"
+                          "  emission     420 to 500 nm, 3 wavelengths\n"
+                          "  values       up to 0.004 per nm\n"
+                          "  re-radiates  at most 0.21 of what comes, of light of 400 nm\n");
+  const Json both = say({"spectra", "info", sound, "D65", "--json"}).json()["spectra"];
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both[0]["kind"], "bispectral matrix");
+  EXPECT_EQ(both[1]["kind"], "emission");
+  const Said wrong = say({"spectra", "info", write("w.csv", "excitation,420,440\n300,0,x\n")});
+  EXPECT_EQ(wrong.code, ExitCode::bad_input);
+  EXPECT_NE(wrong.err.find("w.csv:2:7: error: \"x\" is not a number"), std::string::npos)
+      << wrong.err;
+}
+
 TEST_F(Spectra, InfoForPeople) {
   const Said said = say({"spectra", "info", write("grey.sp", "400 700 100\n0.5\n0.5\n0.5\n0.5\n")});
   ASSERT_EQ(said.code, ExitCode::done) << said.err;

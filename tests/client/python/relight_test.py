@@ -22,6 +22,11 @@ light { name: "fill" direction { x: -1 y: -1 z: -1 } luminance: 0.2 spectrum { s
 material {
   name: "paint" specularness: 0.3 phong { shininess: 40 }
   diffuse { samples { wavelength: [400, 580, 620, 700] value: [0.05, 0.1, 0.7, 0.8] } }
+  fluorescence {
+    excitation { samples { wavelength: [300, 370, 420] value: [0.05, 0.2, 0.02] } }
+    emission { samples { wavelength: [410, 440, 470, 560] value: [0, 1, 0.8, 0] } }
+    quantum_yield: 0.8
+  }
 }
 material {
   name: "gold" diffuseness: 0 specularness: 0.5 mirror: 0.6 cook_torrance {} fresnel { conductor { metal: "Au" } }

@@ -13,6 +13,9 @@
 #include <random>
 
 #include "client/relight/relight.h"
+#include "client/relight/reradiated_lights.h"
+#include "client/relight/scene_sources.h"
+#include "client/relight/signature_colors.h"
 #include "common/models/reference.h"
 #include "common/scene/fresnel_table.h"
 #include "common/transport/factor_kinds.h"
@@ -140,6 +143,11 @@ double value_of(const FactorNode& factor) {
     case FactorKind::white:
     case FactorKind::specular:
       return 1;
+    case FactorKind::reflect:
+    case FactorKind::transmit:
+    case FactorKind::absorb:
+    case FactorKind::reradiate:
+      return 0;  // the scene has none
     case FactorKind::diffuse:
       return factor.index == 0 ? 0.5 : 0.2;
     case FactorKind::fresnel:
@@ -152,7 +160,8 @@ TEST(Relight, IsTheSumOverTheWaysOfAnyTables) {
   std::mt19937 random(1);
   const auto any = [&]() -> FactorNode {
     const FactorKind kind = factor_entries[random() % factor_kind_count].kind;
-    if (kind == FactorKind::white) return {kind, 0, 0};
+    if (kind != FactorKind::diffuse && kind != FactorKind::specular && kind != FactorKind::fresnel)
+      return {FactorKind::white, 0, 0};
     if (kind == FactorKind::fresnel)
       return {kind, 1, static_cast<std::uint32_t>(random() % fresnel_nodes)};
     return {kind, static_cast<std::uint32_t>(random() % 2), 0};
@@ -190,6 +199,94 @@ TEST(Relight, IsTheSumOverTheWaysOfAnyTables) {
     const Image image = relight(builder->finish(), scene(), cie::observer_1931());
     for (int x = 0; x < 2; ++x) EXPECT_NEAR(image.at(x, 0)[1] / expected[x], 1, 2e-6) << round;
   }
+}
+
+/// The paint absorbs all light from 400 to 500 nm, and makes as many photons of it, at each
+/// wavelength from 540 to 560 nm alike in power.
+v1::SceneFactors glowing_scene() {
+  v1::SceneFactors glowing = scene();
+  v1::SampledFluorescence& glow = *glowing.add_fluorescence();
+  set(*glow.mutable_excitation(), {400, 500}, {1, 1});
+  set(*glow.mutable_emission(), {540, 560}, {1, 1});
+  glow.set_quantum_yield(1);
+  set(*glowing.mutable_material(0)->mutable_diffuse(), {500}, {0.05});
+  glowing.mutable_material(0)->set_fluorescence(0);
+  return glowing;
+}
+
+TEST(Relight, KnowsWhatIsReradiated) {
+  v1::TileFactors tables = tile_factors();
+  tables.set_signature_term(0, v1::FACTOR_RERADIATE);
+  const auto color = [&](const v1::SceneFactors& scene) {
+    return signature_colors(tables, scene, cie::observer_1931())[0].value[1];
+  };
+  // ∫ μ dμ / ∫ λ dλ over both ranges, seen as ȳ over its integral sees it.
+  const Spectrum& y = cie::observer_1931().functions()[1];
+  double seen = 0, all = 0;
+  for (double nm = 360.05; nm < 830; nm += 0.1) {
+    const double value = resample(y, {nm}, Outside::zero).values[0];
+    all += value;
+    if (nm > 540 && nm < 560) seen += value;
+  }
+  const double expected = 100 * 450.0 / (20 * 550.0) * seen / all;
+  EXPECT_NEAR(color(glowing_scene()), expected, 1e-4 * expected);
+  v1::SceneFactors by_red = glowing_scene();
+  set(*by_red.mutable_light(0)->mutable_power(), {600, 700}, {1, 1});
+  EXPECT_EQ(color(by_red), 0);
+  EXPECT_EQ(energy_fault(glowing_scene()), "");
+  v1::SceneFactors white = glowing_scene();
+  set(*white.mutable_material(0)->mutable_diffuse(), {500}, {0.5});
+  EXPECT_EQ(energy_fault(white).find("of \"paint\" more light comes out than in at 500 nm"), 0u);
+}
+
+TEST(Relight, TakesNoFluorescenceThatDoesNotFit) {
+  EXPECT_EQ(scene_fault(glowing_scene()), "");
+  const auto fault = [](auto change) {
+    v1::SceneFactors scene = glowing_scene();
+    change(scene, *scene.mutable_fluorescence(0));
+    return scene_fault(scene);
+  };
+  EXPECT_EQ(fault([](auto& scene, auto&) { scene.mutable_material(1)->set_fluorescence(1); }),
+            "material \"glass\" names a fluorescence that does not exist");
+  const std::string spectra = "a fluorescence has no sound spectra",
+                    matrix = "a fluorescence has no sound matrix";
+  EXPECT_EQ(fault([](auto&, auto& glow) { glow.set_quantum_yield(NAN); }), spectra);
+  EXPECT_EQ(fault([](auto&, auto& glow) { glow.clear_excitation(); }), spectra);
+  EXPECT_EQ(fault([](auto&, auto& glow) {
+              set(*glow.mutable_emission(), {540, 560}, {0, 0});
+            }),
+            spectra);
+  EXPECT_EQ(fault([](auto&, auto& glow) {
+              set(*glow.mutable_emission(), {540, 560}, {-1, 2});
+            }),
+            spectra);
+  EXPECT_EQ(fault([](auto&, auto& glow) { glow.Clear(); }), matrix);
+  const auto with_matrix = [&](std::vector<double> excitation, std::vector<float> values) {
+    return fault([&](auto&, auto& glow) {
+      glow.Clear();
+      glow.mutable_excitation_nm()->Assign(excitation.begin(), excitation.end());
+      for (const double nm : {500, 600}) glow.add_emission_nm(nm);
+      glow.mutable_matrix()->Assign(values.begin(), values.end());
+    });
+  };
+  EXPECT_EQ(with_matrix({400, 500}, {0, 0, 0, 0}), "");
+  EXPECT_EQ(with_matrix({500, 400}, {0, 0, 0, 0}), matrix);
+  EXPECT_EQ(with_matrix({400}, {0, 0}), matrix);
+  EXPECT_EQ(with_matrix({400, 500}, {0, 0, 0}), matrix);
+  EXPECT_EQ(with_matrix({400, 500}, {0, 0, 0, INFINITY}), matrix);
+  EXPECT_EQ(with_matrix({400, 500}, {0, 0, 0, -1}), matrix);
+
+  const SceneSources sources(glowing_scene());
+  v1::TileFactors tables = tile_factors();
+  tables.set_product_material(0, 0);
+  tables.set_product_term(0, v1::FACTOR_RERADIATE);
+  tables.set_product_node(0, 0);
+  EXPECT_EQ(table_fault(tables, 1, sources.factors()), "a product re-radiates");
+  tables = tile_factors();
+  tables.set_signature_material(0, 1);
+  tables.set_signature_term(0, v1::FACTOR_RERADIATE);
+  EXPECT_EQ(table_fault(tables, 1, sources.factors()),
+            "a signature names a fluorescence that does not exist");
 }
 
 TEST(FactorsBuilder, PutsTilesTogetherWhoseTablesDiffer) {

@@ -138,7 +138,7 @@ TEST(SceneSpectrum, ValuesInFilesMustSuitTheirRole) {
   EXPECT_EQ(
       error_of(from_file("loud.txt"), SpectrumRole::property, files),
       "m.file: \"loud.txt\": a reflectance must lie in 0..1 (it is 1.25 at 500 nm): above 1 is "
-      "fluorescence, which clamp leaves out, or another scale");
+      "fluorescence, which clamp leaves out and Material.fluorescence models, or another scale");
   EXPECT_EQ(error_of(from_file("loud.txt"), SpectrumRole::emission, files), "");
   EXPECT_EQ(
       error_of(from_file("neg.txt"), SpectrumRole::emission, files),
@@ -271,7 +271,8 @@ TEST(SceneSpectrum, OfAFileIsReadAsTheSceneSays) {
 
   EXPECT_EQ(error_of(read_as("percent.csv", "scale: ONE"), SpectrumRole::property, files),
             "m.file: \"percent.csv\": a reflectance must lie in 0..1 (it is 20 at 400 nm): above 1 "
-            "is fluorescence, which clamp leaves out, or another scale");
+            "is fluorescence, which clamp leaves out and Material.fluorescence models, or another "
+            "scale");
   EXPECT_EQ(
       error_of(from_file("noisy.txt"), SpectrumRole::emission, files),
       "m.file: \"noisy.txt\": an emission must not be negative (it is -0.25 at 400 nm); clamp "

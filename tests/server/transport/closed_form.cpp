@@ -24,9 +24,10 @@ std::uint32_t any_index(const FactorSources& sources, std::mt19937& random) {
 float unit(std::mt19937& random) { return std::uniform_real_distribution<float>(0, 1)(random); }
 
 Factor any_factor(const FactorSources& sources, std::mt19937& random) {
-  // What a mirror may be: never a diffuse spectrum.
+  // What a mirror may be: never a diffuse spectrum, nor what stands in a light's place.
   FactorKind kind = FactorKind::diffuse;
-  while (kind == FactorKind::diffuse) kind = factor_entries[random() % factor_kind_count].kind;
+  while (kind == FactorKind::diffuse || kind == FactorKind::reradiate)
+    kind = factor_entries[random() % factor_kind_count].kind;
   return with_kind(kind, [&]<class Kind>(Kind) -> Factor {
     // The ends of the range, too.
     const float at = random() % 8 == 0 ? static_cast<float>(random() % 2) : unit(random);
@@ -109,7 +110,8 @@ Gather random_gather(const RenderScene& scene, std::mt19937& random) {
       gather.weights(surface, light) = {unit(random), random() % 2 ? 0 : unit(random),
                                         random() % 2 ? 0 : unit(random)};
   }
-  for (const FactorEntry& entry : factor_entries)
+  for (const FactorEntry& entry : factor_entries) {
+    if (entry.kind == FactorKind::reradiate) continue;  // fluorescence_test.cpp
     for (std::size_t i = random() % 7; i > 0; --i)
       with_kind(entry.kind, [&]<class Kind>(Kind) {
         const std::uint32_t chain = any_chain(gather, sources, random);
@@ -118,6 +120,7 @@ Gather random_gather(const RenderScene& scene, std::mt19937& random) {
                     static_cast<std::uint32_t>(random() % Kind::Table::nodes)},
                    unit(random));
       });
+  }
   return gather;
 }
 
@@ -127,6 +130,7 @@ Spectra values_of(const RenderScene& scene, const FactorNode& factor, const Spec
   };
   switch (factor.kind) {
     case FactorKind::white:
+    case FactorKind::reradiate:  // a light in the place of a light
       return Spectra(nm.size(), 1.0);
     case FactorKind::diffuse:
       return property(scene.materials[factor.index].diffuse);
@@ -185,6 +189,7 @@ std::vector<std::pair<FactorNode, double>> nodes_of(const Factor& factor) {
     case FactorKind::white:
     case FactorKind::diffuse:
     case FactorKind::window:
+    case FactorKind::reradiate:
       return {{node(0), 1}};
     case FactorKind::specular:
       return {{node(0), 1 - std::pow(1 - u, 5)}, {{FactorKind::white, 0, 0}, std::pow(1 - u, 5)}};

@@ -7,6 +7,7 @@
 
 #include "client/cli/commands/spectra/spectra_input.h"
 #include "client/relight/relight.h"
+#include "client/relight/reradiated_lights.h"
 #include "client/relight/scene_sources.h"
 #include "client/tools/pictures/relit.h"
 #include "client/tools/scene/light_names.h"
@@ -188,6 +189,10 @@ bool Swapper::swap_materials(const Variant& variant, v1::SceneFactors& scene) {
                   .file = {},
                   .message = "--material " + metamer::quoted(swap.name) +
                              " has no effect: no pixel shows it"});
+  }
+  if (const std::string fault = client::energy_fault(scene); good && !fault.empty()) {
+    report_.error("--material: " + fault);
+    return false;
   }
   return good;
 }

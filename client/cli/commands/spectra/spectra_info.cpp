@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "client/cli/commands.h"
+#include "client/cli/commands/spectra/bispectral.h"
 #include "client/cli/commands/spectra/spectra_input.h"
 #include "client/tools/spectra/spectrum_facts.h"
 
@@ -141,8 +142,16 @@ std::string text_of(const LoadedSpectrum& one, const SpectrumFacts& facts,
   return text;
 }
 
-ExitCode run(const SpectraOptions& options) {
+ExitCode run(SpectraOptions options) {
   Report report(options.json);
+  bool sound = true;
+  std::erase_if(options.files, [&](const std::string& file) {
+    const auto told = tell_bispectral(file, report);
+    sound = sound && told.value_or(true);
+    return told.has_value();
+  });
+  if (!sound) return report.finish(ExitCode::bad_input);
+  if (options.files.empty()) return report.finish(ExitCode::done);
   const auto observer = load_observer(options.observer, report);
   if (!observer) return report.finish(ExitCode::bad_input);
   const auto spectra = load_spectra(options, options.files, report);

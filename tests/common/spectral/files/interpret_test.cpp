@@ -68,7 +68,7 @@ TEST(Interpret, NeverTakesPercentsForOneInSilence) {
   EXPECT_EQ(
       fault_of(normed, {0.5, 7}, {}, Use::property),
       "a reflectance must lie in 0..1 (it is 7 at 410 nm): above 1 is fluorescence, which clamp "
-      "leaves out, or another scale");
+      "leaves out and Material.fluorescence models, or another scale");
   EXPECT_EQ(taken(silent, {4, 80}, {}, Use::emission).spectrum.values,
             (std::vector<double>{4, 80}));
 }
@@ -87,7 +87,7 @@ TEST(Interpret, ClampsOnRequestAndCounts) {
   const SpectrumFile silent{.format = "pairs"};
   EXPECT_EQ(fault_of(silent, {0.5, 1.1}, {}, Use::property),
             "a reflectance must lie in 0..1 (it is 1.1 at 410 nm): above 1 is fluorescence, which "
-            "clamp leaves out, or another scale");
+            "clamp leaves out and Material.fluorescence models, or another scale");
   const Interpreted paper = taken(silent, {0.5, 1.1, -0.01}, {.clamp = true}, Use::property);
   EXPECT_EQ(paper.spectrum.values, (std::vector<double>{0.5, 1, 0}));
   EXPECT_EQ(paper.notes, Notes{"2 of 3 values were outside 0..1 and are clamped"});
