@@ -93,12 +93,12 @@ std::vector<Need> features_of(const RenderScene& scene, const v1::Settings& sett
       needs);
   need_of_lights(scene, Feature::area_lights, RenderLight::Source::surface, needs);
   if (scene.environment) needs.push_back({Feature::environment, scene.environment->field});
+  need_of_objects(
       scene, Feature::fluorescence,
-      [](const Object&, const Material& m) {
-    return m.fluorescence.has_value(); }, needs);
-      if (settings.method().point().multi_pass())
-        needs.push_back({Feature::multi_pass, "settings.method.point.multi_pass"});
-      return needs;
+      [](const Object&, const Material& m) { return m.fluorescence.has_value(); }, needs);
+  if (settings.method().point().multi_pass())
+    needs.push_back({Feature::multi_pass, "settings.method.point.multi_pass"});
+  return needs;
 }
 
 Need need_of_factors() { return {Feature::factors, {}}; }
