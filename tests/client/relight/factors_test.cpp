@@ -146,6 +146,7 @@ double value_of(const FactorNode& factor) {
     case FactorKind::reflect:
     case FactorKind::transmit:
     case FactorKind::absorb:
+    case FactorKind::window:
     case FactorKind::reradiate:
       return 0;  // the scene has none
     case FactorKind::diffuse:
