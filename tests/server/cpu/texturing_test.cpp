@@ -176,7 +176,7 @@ TEST(Texturing, AColourIsItselfUnderD65) {
     const auto seen =
         test::render(card_text, {{"print.png", test::small_png(1, 1, 2, pixel)}}).at(8, 8);
     const Rgb linear =
-        multiply(rgb_space(StandardSpace::srgb).from_xyz, {seen[0], seen[1], seen[2]});
+        multiply(rgb_space(StandardSpace::srgb).from_xyz, Vector3{seen[0], seen[1], seen[2]});
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(linear[c], decoded(rgb[c]), 0.006) << rgb[0];
   }
 }
