@@ -1,4 +1,4 @@
-"""Writes the cloth of the printed textile: print.png, cloth.obj, indigo.txt and both paints. Python 3 alone.
+"""Writes the cloth of ../textile.txtpb: its print, its mesh, its ink and both paints. Python 3 alone.
 
 The print has two inks on dyed cloth. The ornament's ink is a metamer of the cloth under D65
 (deploy/booth/spectra/paint-2.txt on paint-1.txt): by daylight it can't be seen. The stripes are indigo,
@@ -52,7 +52,7 @@ def png(path, rows):
 
 def cloth(path, columns=96, rows=24):
     """A curtain of 2.4 x 1.6 m in folds that grow downwards."""
-    lines = ["# a curtain, by deploy/gallery/textile/make/textile.py"]
+    lines = ["# a curtain, by deploy/gallery/effects/make/textile.py"]
     for j in range(rows + 1):
         for i in range(columns + 1):
             u, v = i / columns, j / rows
@@ -70,15 +70,16 @@ def cloth(path, columns=96, rows=24):
 
 def indigo(path):
     lines = ["# indigo on cotton: reflectance; wavelength in nm, value. K/S = 0.5 + 9 exp(-((nm - 650) / 90)^2),",
-             "# R = 1 + K/S - sqrt((K/S)^2 + 2 K/S) (Kubelka and Munk, 1931); by deploy/gallery/textile/make/textile.py"]
+             "# R = 1 + K/S - sqrt((K/S)^2 + 2 K/S) (Kubelka and Munk, 1931); by deploy/gallery/effects/make/textile.py"]
     for nm in range(380, 781, 10):
         ks = 0.5 + 9 * math.exp(-(((nm - 650) / 90) ** 2))
         lines.append(f"{nm} {1 + ks - math.sqrt(ks * ks + 2 * ks):.6f}")
     path.write_text("\n".join(lines) + "\n")
 
 
-png(FOLDER / "print.png", [b"".join(shares(i, j) for i in range(SIZE)) for j in range(SIZE)])
-cloth(FOLDER / "cloth.obj")
-indigo(FOLDER / "indigo.txt")
+png(FOLDER / "pictures/print.png", [b"".join(shares(i, j) for i in range(SIZE)) for j in range(SIZE)])
+cloth(FOLDER / "meshes/cloth.obj")
+indigo(FOLDER / "spectra/indigo.txt")
 for paint in ("paint-1.txt", "paint-2.txt"):  # a scene's files lie in its folder
-    (FOLDER / paint).write_bytes((FOLDER.parent.parent / "booth/spectra" / paint).read_bytes())
+    source = FOLDER.parent.parent / "booth/spectra" / paint
+    (FOLDER / "spectra" / paint).write_bytes(source.read_bytes())

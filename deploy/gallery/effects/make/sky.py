@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes light/studio.exr: a photographer's studio as a latitude-longitude picture of R G B, half floats without
+"""Writes ../pictures/studio.exr: a photographer's studio as a latitude-longitude picture of R G B, half floats without
 compression (openexr.com, "OpenEXR File Layout"). Needs nothing but Python.
 
 A floor, walls that fade upwards, and lamps: a large neutral one to the left, a narrow warm one to the right, a bluish
@@ -69,7 +69,7 @@ def exr(pixels):
 
 
 def main():
-    target = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parents[1] / "light/studio.exr")
+    target = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parents[1] / "pictures/studio.exr")
     target.write_bytes(exr([[radiance(x, y) for x in range(WIDTH)] for y in range(HEIGHT)]))
 
 
