@@ -57,24 +57,11 @@ void ObjectCompiler::object(int index) {
       return;
   }
   check_place(to, "object[" + std::to_string(index) + "]");
-  if (to_.result.materials[to.material].texture && !has_uvs(to))
+  if (to.shape == RenderObject::Shape::mesh && to_.result.materials[to.material].texture &&
+      to_.result.meshes[to.mesh].uvs.empty())
     to_.add("object[" + std::to_string(index) + "]",
-            (to.shape == RenderObject::Shape::plane ? "a plane" : "its mesh") +
-                std::string(" has no UVs, which the texture of ") + quoted(object.material()) +
-                " needs");
+            "its mesh has no UVs, which the texture of " + quoted(object.material()) + " needs");
   to_.result.objects.push_back(std::move(to));
-}
-
-bool ObjectCompiler::has_uvs(const RenderObject& object) const {
-  switch (object.shape) {
-    case RenderObject::Shape::mesh:
-      return !to_.result.meshes[object.mesh].uvs.empty();
-    case RenderObject::Shape::sphere:
-      return true;
-    case RenderObject::Shape::plane:
-      return false;
-  }
-  return false;
 }
 
 /// Mesh and transform are each within bounds; what they make together has to be, too.

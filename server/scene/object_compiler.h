@@ -26,7 +26,6 @@ class ObjectCompiler {
   void take_meshes(Result<std::vector<TriangleMesh>> imported, const MeshRequest& request);
   std::uint32_t quad(const v1::Quad& quad);
   std::uint32_t material_named(const std::string& name);
-  bool has_uvs(const RenderObject& object) const;
   void check_place(const RenderObject& object, const std::string& field);
   void check_axes(const Eigen::Matrix3d& axes, const std::string& field);
   const Eigen::AlignedBox3d& bounds(std::uint32_t mesh);

@@ -95,6 +95,18 @@ TEST(Texturing, ASpheresPictureHasItsMiddleTowardsZAndItsTopAtY) {
   EXPECT_EQ(picture.at(10, 11)[1], 0);
 }
 
+TEST(Texturing, APlanesPictureRepeatsByMetres) {
+  // The card's place as a plane: a metre of it is half the picture's width.
+  const std::string repeated = "texture { file: 'print.png' spectrum { constant: 1 } }";
+  const auto picture = test::render(card(repeated, "spp: 1", "plane { normal { z: 1 } }"), corners);
+  for (std::uint32_t y = 0; y < 8; ++y)
+    for (std::uint32_t x = 0; x < 8; ++x) {
+      EXPECT_NEAR(picture.at(x, y)[1], picture.at(x + 8, y)[1], 1e-4) << x << ", " << y;
+      EXPECT_NEAR(picture.at(x, y)[1], picture.at(x, y + 8)[1], 1e-4) << x << ", " << y;
+    }
+  EXPECT_GT(picture.at(1, 1)[1], 2 * picture.at(5, 5)[1]);
+}
+
 TEST(Texturing, FarAwayAFinePictureIsItsMean) {
   std::string chequer;
   for (int y = 0; y < 256; ++y)
