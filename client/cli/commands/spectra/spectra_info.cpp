@@ -142,7 +142,8 @@ std::string text_of(const LoadedSpectrum& one, const SpectrumFacts& facts,
   return text;
 }
 
-ExitCode run(SpectraOptions options) {
+ExitCode run(const SpectraOptions& given) {
+  SpectraOptions options = given;
   Report report(options.json);
   bool sound = true;
   std::erase_if(options.files, [&](const std::string& file) {
