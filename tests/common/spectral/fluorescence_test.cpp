@@ -64,7 +64,7 @@ TEST(Reradiation, IsExcitedFrom300To830) {
 }
 
 TEST(Reradiation, SendsOutNoMoreThanComes) {
-  EXPECT_EQ(energy_fault(flat(), Spectrum{{550}, {0.3}}),
+  EXPECT_EQ(energy_fault(flat(), Spectrum{{550}, {0.27}}),
             std::nullopt);  // 400 · 100 / 55,000 = 0.727
   EXPECT_EQ(energy_fault(flat(), Spectrum{{390, 400}, {0, 0.3}}),
             "more light comes out than in at 400 nm: 0.3 is reflected and 0.7273 "
