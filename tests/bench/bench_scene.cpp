@@ -60,6 +60,7 @@ RenderScene make_ground(unsigned side, bool mirrors) {
   const auto lamp = [](const char* name, Eigen::Vector3d at, double luminance,
                        std::uint32_t power) {
     return RenderLight{.name = name,
+                       .field = name,
                        .light = lights::Light::point,
                        .parameters = {0, at.x(), at.y(), at.z()},
                        .reference_distance = 0,
