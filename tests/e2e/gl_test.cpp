@@ -88,10 +88,10 @@ TEST(Gl, InfoTellsWhatEachBackendHas) {
   EXPECT_EQ(sets[0]["name"], "cpu");
   EXPECT_EQ(sets[0]["feature"],
             Json({"mirrors", "exact_fresnel", "anisotropy", "corner_shading", "factors", "textures",
-                  "area_lights", "environment", "planes", "transmission"}));
+                  "area_lights", "environment", "planes", "fluorescence", "transmission"}));
   EXPECT_EQ(sets[1]["name"], "gl");
   EXPECT_EQ(sets[1]["feature"],
-            Json({"exact_fresnel", "anisotropy", "corner_shading", "multi_pass"}));
+            Json({"exact_fresnel", "anisotropy", "corner_shading", "fluorescence", "multi_pass"}));
 }
 
 TEST(Gl, InfoNamesTheDeviceAndWhatWasFoundOfIt) {
