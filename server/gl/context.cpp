@@ -1,5 +1,6 @@
 #include "server/gl/context.h"
 
+#include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
@@ -28,7 +29,17 @@ bool is_software(void* device) {
   return extensions && std::string_view(extensions).find("software") != std::string_view::npos;
 }
 
+/// The library that is not there: libepoxy would end the process. Null: all are.
+const char* missing_library() {
+  const auto is_there = [](const char* name) { return dlopen(name, RTLD_LAZY) != nullptr; };
+  if (!is_there("libEGL.so.1")) return "libEGL.so.1, in Debian of the package libegl1";
+  if (!is_there("libOpenGL.so.0") && !is_there("libGL.so.1"))
+    return "libOpenGL.so.0, in Debian of the package libopengl0";
+  return nullptr;
+}
+
 std::vector<void*> devices() {
+  if (missing_library() != nullptr) return {};
   if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration") &&
       !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_base"))
     return {};
@@ -40,6 +51,8 @@ std::vector<void*> devices() {
 
 /// Those that a word names, the best first.
 Result<std::vector<void*>> chosen_devices(const std::string& word) {
+  if (const char* library = missing_library())
+    return problem(std::string("this machine has no ") + library);
   std::vector<void*> all = devices();
   if (all.empty())
     return problem(
