@@ -22,6 +22,9 @@ void check_fluorescence(const v1::Fluorescence& fluorescence, const std::string&
   check_spectrum(fluorescence.excitation(), field + ".excitation", SpectrumRole::excitation,
                  findings);
   check_spectrum(fluorescence.emission(), field + ".emission", SpectrumRole::emission, findings);
+  if (fluorescence.emission().source_case() == v1::Spectrum::kConstant)
+    findings.add(field + ".emission.constant",
+                 "an emission of a fluorescence needs wavelengths: samples or a file");
   check_range(fluorescence.quantum_yield(), 0, 1, field + ".quantum_yield", findings);
 }
 

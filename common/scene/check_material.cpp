@@ -23,6 +23,9 @@ void check_material(const v1::Material& material, const std::string& field, Find
   if (material.has_texture()) check_texture(material.texture(), field + ".texture", findings);
   if (material.texture().use() == v1::Texture::RGB && material.has_diffuse())
     findings.add(field + ".diffuse", "an RGB texture leaves nothing of `diffuse` to be seen");
+  if (material.texture().use() == v1::Texture::RGB && material.has_fluorescence())
+    findings.add(field + ".fluorescence",
+                 "an RGB texture leaves nothing of the surface that fluoresces to be seen");
   if (material.has_fluorescence())
     check_fluorescence(material.fluorescence(), field + ".fluorescence", findings);
   if (material.has_fresnel()) check_fresnel(material.fresnel(), field + ".fresnel", findings);

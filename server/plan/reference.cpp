@@ -27,6 +27,20 @@ Reference::Reference(const RenderScene& scene, const Observer& observer,
     : observer_(observer_weights(observer, wavelengths)),
       fold_(scene, light_powers(scene, wavelengths.nm()), wavelengths.nm()) {}
 
+/// Of a perfect white that faces the light; where that is one of several that an environment's
+/// picture became, under all of them together where they are alike.
+Xyz Reference::white_under(const RenderScene& scene, const RenderLight& light,
+                           const std::vector<double>& nm) const {
+  double luminance = 0;
+  for (const RenderLight& one : scene.lights)
+    if (&one == &light || (one.field == light.field && !one.field.empty()))
+      luminance += one.luminance;
+  Values power = resample(scene.emissions[light.own_emission], nm, Outside::zero).values;
+  const double scale = luminance_scale(observer_, power, luminance);
+  for (double& value : power) value *= scale;
+  return usable_white(to_xyz(observer_, power));
+}
+
 /// With their luminance, E[3.2-4]; on the way the white, of the first that the observer sees.
 std::vector<Reference::Values> Reference::light_powers(const RenderScene& scene,
                                                        const std::vector<double>& nm) {
@@ -37,7 +51,7 @@ std::vector<Reference::Values> Reference::light_powers(const RenderScene& scene,
     const double scale = luminance_scale(observer_, power, light.luminance);
     for (double& value : power) value *= scale;
     if (!has_white && scale > 0) {
-      white_ = usable_white(to_xyz(observer_, power));
+      white_ = white_under(scene, light, nm);
       has_white = true;
     }
     scales_.push_back(scale);

@@ -35,6 +35,8 @@ class Reference {
   Reference(const RenderScene& scene, const Observer& observer, const Wavelengths& wavelengths);
 
   using Values = SpectralFold::Values;
+  Xyz white_under(const RenderScene& scene, const RenderLight& light,
+                  const std::vector<double>& nm) const;
   std::vector<Values> light_powers(const RenderScene& scene, const std::vector<double>& nm);
 
   ObserverWeights observer_;

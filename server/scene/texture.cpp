@@ -113,6 +113,16 @@ class TextureReader {
                        " channels: name those that are meant in `channel`");
       channels.push_back(parts->front().channels.front().name);
     }
+    std::vector<std::string> known;
+    for (const ExrChannel& channel : parts->front().channels) known.push_back(channel.name);
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+      if (std::find(known.begin(), known.end(), channels[i]) == known.end())
+        return tl::unexpected(
+            unknown_name("the file has no channel " + quoted(channels[i]), channels[i], known));
+      if (std::find(channels.begin(), channels.begin() + static_cast<std::ptrdiff_t>(i),
+                    channels[i]) != channels.begin() + static_cast<std::ptrdiff_t>(i))
+        return problem("channel " + quoted(channels[i]) + " is named twice");
+    }
     return read_exr(source, *parts, 0, channels);
   }
 

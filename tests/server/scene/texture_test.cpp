@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "tests/server/cpu/soft/sky_file.h"
 #include "tests/server/scene/small_png.h"
 
 namespace metamer {
@@ -92,6 +93,21 @@ TEST(Texture, WhatIsWrongIsSaidWithItsPixel) {
     EXPECT_EQ(picture.error().file, one.texture.file());
     EXPECT_TRUE(picture.error().message.starts_with(one.message)) << picture.error().message;
   }
+}
+
+TEST(Texture, ChannelsOfAnExrAreThereAndNamedOnce) {
+  const std::string file = test::sky_file(1, 1, {"cyan", "magenta"}, {{0.25f, 0.5f}});
+  const auto found = read(texture("a.exr", 2, v1::Texture::BLEND, {"magenta", "cyan"}), file);
+  ASSERT_TRUE(found) << found.error().message;
+  EXPECT_NEAR(weights_at(*found, 0, 0)[0], 0.5, 1e-5);
+  const auto wrong = [&](const std::vector<std::string>& channels) {
+    const auto picture = read(
+        texture("a.exr", static_cast<int>(channels.size()), v1::Texture::BLEND, channels), file);
+    return picture ? "" : picture.error().message;
+  };
+  EXPECT_EQ(wrong({"cyan", "magneta"}),
+            "the file has no channel \"magneta\"; did you mean \"magenta\"?");
+  EXPECT_EQ(wrong({"cyan", "cyan"}), "channel \"cyan\" is named twice");
 }
 
 TEST(Texture, SumsThatEightBitsRoundAboveOneAreScaledBack) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "server/cpu/soft/sky.h"
+#include "server/plan/reference.h"
 #include "server/scene/compile.h"
 #include "tests/server/cpu/soft/sky_file.h"
 #include "tests/server/test_scene.h"
@@ -295,6 +296,23 @@ TEST(Plane, CastsAndReceivesShadowsAndIsPlacedByItsTransform) {
   EXPECT_EQ(middle("{} transform { rotate { axis { z: 1 } degrees: 90 } } transform { translate { "
                    "x: 1.5 } }"),
             0);
+}
+
+/// Differences are seen under the sky as a whole, and not under the first of its parts.
+TEST(Sky, OfAGreyPictureHasTheWhiteOfAConstantOne) {
+  const auto scene = [](const std::string& file) {
+    return "camera { eye { z: 5 } target {} } light { name: 'sky' environment {" + file +
+           "} spectrum { standard: 'A' } luminance: 0.7 } "
+           "material { name: 'm' } object { name: 'o' material: 'm' sphere { radius: 1 } }";
+  };
+  const test::Files files = {
+      {"sky.exr",
+       test::sky_file(2, 2, {"B", "G", "R"}, std::vector<std::vector<float>>(4, {2, 2, 2}))}};
+  const RenderScene of_picture = test::compile_text(scene(" file: 'sky.exr' "), files),
+                    constant = test::compile_text(scene(""));
+  const Xyz white = Reference(of_picture, of_picture.observer).white(),
+            expected = Reference(constant, constant.observer).white();
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(white[i], expected[i], 1e-6);
 }
 
 }  // namespace
