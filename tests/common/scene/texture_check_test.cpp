@@ -46,6 +46,10 @@ TEST(TextureCheck, AnRgbHasNothingMeasured) {
       findings({.material = "material { name: \"grey\" diffuse { constant: 0.5 } "
                             "texture { file: 'cloth.png' use: RGB } }"}),
       Strings({"material[0].diffuse: an RGB texture leaves nothing of `diffuse` to be seen"}));
+  EXPECT_EQ(findings({.material = "material { name: \"grey\" fluorescence { file: 'uv.csv' } "
+                                  "texture { file: 'cloth.png' use: RGB } }"}),
+            Strings({"material[0].fluorescence: an RGB texture leaves nothing of the surface that "
+                     "fluoresces to be seen"}));
 }
 
 TEST(TextureCheck, AScaleIsNoZero) {
