@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <set>
 
 #include "common/color/rgb_space.h"
 #include "common/image/read_exr.h"
@@ -115,13 +116,13 @@ class TextureReader {
     }
     std::vector<std::string> known;
     for (const ExrChannel& channel : parts->front().channels) known.push_back(channel.name);
-    for (std::size_t i = 0; i < channels.size(); ++i) {
-      if (std::find(known.begin(), known.end(), channels[i]) == known.end())
+    std::set<std::string> named;
+    for (const std::string& channel : channels) {
+      if (std::find(known.begin(), known.end(), channel) == known.end())
         return tl::unexpected(
-            unknown_name("the file has no channel " + quoted(channels[i]), channels[i], known));
-      if (std::find(channels.begin(), channels.begin() + static_cast<std::ptrdiff_t>(i),
-                    channels[i]) != channels.begin() + static_cast<std::ptrdiff_t>(i))
-        return problem("channel " + quoted(channels[i]) + " is named twice");
+            unknown_name("the file has no channel " + quoted(channel), channel, known));
+      if (!named.insert(channel).second)
+        return problem("channel " + quoted(channel) + " is named twice");
     }
     return read_exr(source, *parts, 0, channels);
   }
