@@ -55,14 +55,15 @@ TEST(SceneFluorescence, IsAFileOrSpectraWithAYield) {
   EXPECT_EQ(faults_of("fluorescence { " + spectra + " quantum_yield: 1.5 }"),
             Faults{"material[0].fluorescence.quantum_yield: quantum_yield must lie in 0..1 (it is "
                    "1.5)"});
-  EXPECT_EQ(faults_of("fluorescence { excitation { constant: 1.5 } emission { constant: 1 } "
+  EXPECT_EQ(faults_of("fluorescence { excitation { constant: 1.5 } "
+                      "emission { samples { wavelength: [500, 600] value: [1, 1] } } "
                       "quantum_yield: 1 }"),
             Faults{"material[0].fluorescence.excitation.constant: an excitation must lie in 0..1 "
                    "(it is 1.5)"});
-  EXPECT_EQ(faults_of("fluorescence { excitation { constant: 1 } emission { constant: 0 } "
+  EXPECT_EQ(faults_of("fluorescence { excitation { constant: 1 } emission { constant: 1 } "
                       "quantum_yield: 1 }"),
-            Faults{"material[0].fluorescence.emission.constant: an emission must not be 0 at every "
-                   "wavelength"});
+            Faults{"material[0].fluorescence.emission.constant: an emission of a fluorescence "
+                   "needs wavelengths: samples or a file"});
 }
 
 TEST(SceneFluorescence, KeepsTheLawOfEnergyWithDiffuse) {
