@@ -3,8 +3,10 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <cmath>
 #include <limits>
 #include <new>
+#include <numbers>
 
 #include "server/cpu/shared_source.h"
 #include "server/scene/placement.h"
@@ -137,6 +139,15 @@ Eigen::Vector3d center_of(const TriangleMesh& mesh) {
   return box_of(mesh.positions).center();
 }
 
+/// Of a sphere, around half of whose great circle v goes, and of a plane, by its own metres.
+float uv_density(const RenderObject& object) {
+  const Eigen::Matrix3d axes = object.to_world.linear();
+  const double length = object.shape == RenderObject::Shape::plane
+                            ? std::sqrt(axes.col(0).cross(axes.col(2)).norm())
+                            : std::numbers::pi * std::cbrt(std::abs(axes.determinant()));
+  return static_cast<float>(1 / length);
+}
+
 bool keep_building(void* cancelled, double) {
   return !static_cast<const std::atomic<bool>*>(cancelled)->load(std::memory_order_relaxed);
 }
@@ -189,6 +200,7 @@ std::optional<EmbreeScene> EmbreeScene::build(const RenderScene& scene,
                               .mesh = sphere ? nullptr : &scene.meshes[object.mesh],
                               .to_world = rows(centered.to_world),
                               .from_world = rows(object.to_world.inverse()),
+                              .uv_density = sphere ? uv_density(object) : 0,
                               .plane = object.shape == RenderObject::Shape::plane});
     if (result.placed_.back().plane)
       result.planes_.add(static_cast<std::uint32_t>(result.placed_.size() - 1), object);

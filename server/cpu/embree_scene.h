@@ -107,6 +107,7 @@ class EmbreeScene {
         nullptr;       ///< Of its vertices; an instance's in its own space. Null: flat.
     Double3 center{};  ///< Of the mesh's space, as `to_world` has it.
     std::array<std::array<float, 4>, 3> from_world{};  ///< Rows; of a sphere or plane.
+    float uv_density = 0;                              ///< SurfaceUv's; of a sphere or plane.
     bool plane = false;
     bool instance = false;
     std::array<std::array<float, 3>, 3> to_world_normals{};  ///< Rows; for an instance.

@@ -125,20 +125,14 @@ SurfaceUv EmbreeScene::surface_uv(int object, int primitive, float u, float v,
                                   const std::array<float, 3>& at) const {
   const Placed& placed = placed_[static_cast<std::size_t>(object)];
   if (placed.mesh == nullptr) {
-    Eigen::Matrix3f axes;
-    for (Eigen::Index row = 0; row < 3; ++row)
-      for (Eigen::Index column = 0; column < 3; ++column)
-        axes(row, column) =
-            placed.to_world[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
     Eigen::Vector3f p(mapped(placed.from_world, at, 1).data());
     if (placed.plane)  // by metres
-      return {p.x(), -p.z(), 1 / std::sqrt(axes.col(0).cross(axes.col(2)).norm())};
+      return {p.x(), -p.z(), placed.uv_density};
     // By longitude and latitude; v goes over half a great circle.
     p.normalize();
-    const float radius = std::cbrt(std::abs(axes.determinant()));
     constexpr float pi = std::numbers::pi_v<float>;
     return {0.5f + std::atan2(p.x(), p.z()) / (2 * pi),
-            0.5f + std::asin(std::clamp(p.y(), -1.0f, 1.0f)) / pi, 1 / (pi * radius)};
+            0.5f + std::asin(std::clamp(p.y(), -1.0f, 1.0f)) / pi, placed.uv_density};
   }
 
   const Triangle& corner = placed.mesh->triangles[static_cast<std::size_t>(primitive)];

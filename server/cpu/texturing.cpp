@@ -6,16 +6,6 @@
 #include "common/scene/limits.h"
 
 namespace metamer::cpu {
-namespace {
-
-/// The level whose pixels are as large as `side`, in lengths of the picture's UVs.
-float level_of(const TexturePicture& picture, float side) {
-  const TexturePicture::Level& finest = picture.levels.front();
-  return std::log2(side *
-                   std::sqrt(static_cast<float>(finest.width) * static_cast<float>(finest.height)));
-}
-
-}  // namespace
 
 Float8 Texturing::divide(const Packet& packet, const Hits& hits, Workspace& workspace) const {
   Float8 own = metamer::broadcast(1);
@@ -37,13 +27,11 @@ Float8 Texturing::divide(const Packet& packet, const Hits& hits, Workspace& work
     const float cosine = std::abs(hits.geometric_normal.x[i] * packet.direction.x[i] +
                                   hits.geometric_normal.y[i] * packet.direction.y[i] +
                                   hits.geometric_normal.z[i] * packet.direction.z[i]);
-    const float scale = std::sqrt(std::abs(row_u[0] * row_v[1] - row_u[1] * row_v[0]));
-    const float side = footprint_ * packet.travelled[i] * at.density * scale /
-                       std::sqrt(std::max(cosine, flattest));
+    const float pixels = footprint_ * packet.travelled[i] * at.density * texture.pixels_per_uv /
+                         std::sqrt(std::max(cosine, flattest));
 
     std::array<float, limits::max_texture_spectra> weights{};
-    add_weights(texture.picture, texture.wrap, u, v, level_of(texture.picture, side),
-                weights.data());
+    add_weights(texture.picture, texture.wrap, u, v, std::log2(pixels), weights.data());
     Gather& gather = workspace.gathers[packet.pixel[i]];
     float rest = 1;
     for (std::size_t c = 0; c < texture.materials.size(); ++c) {

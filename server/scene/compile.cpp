@@ -165,7 +165,9 @@ class Compiler {
 
     to_.note(picture->notes, field + ".file");
     const bool rgb = texture.use() == v1::Texture::RGB;
-    RenderTexture to{*std::move(picture), texture.wrap(), uv_map(texture), {}, !rgb};
+    const auto map = uv_map(texture);
+    const float pixels = pixels_per_uv(*picture, map);
+    RenderTexture to{*std::move(picture), texture.wrap(), map, {}, pixels, !rgb};
     for (int i = 0; i < texture.spectrum_size(); ++i) {
       const std::string spectrum_field = field + ".spectrum[" + std::to_string(i) + "]";
       const std::string name = material.name() + "#" + std::to_string(i + 1);

@@ -234,4 +234,10 @@ std::array<std::array<float, 3>, 2> uv_map(const v1::Texture& texture) {
   return {row(c * su, -s * sv, texture.offset().u()), row(s * su, c * sv, texture.offset().v())};
 }
 
+float pixels_per_uv(const TexturePicture& picture, const std::array<std::array<float, 3>, 2>& map) {
+  const TexturePicture::Level& finest = picture.levels.front();
+  const double area = double{map[0][0]} * map[1][1] - double{map[0][1]} * map[1][0];
+  return static_cast<float>(std::sqrt(std::abs(area) * finest.width * finest.height));
+}
+
 }  // namespace metamer

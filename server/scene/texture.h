@@ -48,6 +48,8 @@ struct RenderTexture {
   std::array<std::array<float, 3>, 2> map;  ///< Rows: (u, v, 1) of a surface to the picture's.
   /// Of each channel: index into RenderScene::materials of what has its spectrum as `diffuse`.
   std::vector<std::uint32_t> materials;
+  /// The picture's pixels along a unit of a surface's UV, the mean of both sides.
+  float pixels_per_uv;
   bool has_ground;  ///< What the weights leave is the material's own `diffuse`.
 };
 
@@ -59,5 +61,7 @@ void add_weights(const TexturePicture& picture, v1::Texture::Wrap wrap, float u,
 
 /// The map of a texture from a surface's UVs to its picture's.
 std::array<std::array<float, 3>, 2> uv_map(const v1::Texture& texture);
+/// The root of the pixels of a picture's finest level that a unit square of a surface's UVs has.
+float pixels_per_uv(const TexturePicture& picture, const std::array<std::array<float, 3>, 2>& map);
 
 }  // namespace metamer
