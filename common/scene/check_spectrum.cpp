@@ -164,6 +164,9 @@ void check_spectrum(const v1::Spectrum& spectrum, const std::string& field, Spec
     case v1::Spectrum::kSamples:
       check_samples(spectrum.samples(), field + ".samples", role, findings);
       break;
+    case v1::Spectrum::kSunlight:
+      findings.add(field + ".sunlight", "this server has no sunlight");
+      break;
     case v1::Spectrum::SOURCE_NOT_SET:
       if (role != SpectrumRole::emission) {
         findings.add(field, "spectrum needs a standard, a file, a constant or samples");

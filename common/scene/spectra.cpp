@@ -125,6 +125,7 @@ Result<NotedSpectrum> load_source(const v1::Spectrum& message, const std::string
       return between_samples(to_spectrum(message.samples()), message, field, role).map(silent);
     case v1::Spectrum::kFile:
       return choose(read_file_of(message, assets), message, field, role);
+    case v1::Spectrum::kSunlight:
     case v1::Spectrum::SOURCE_NOT_SET:
       break;
   }

@@ -35,6 +35,7 @@ std::string word_for(const v1::Spectrum& message, const fs::path& folder) {
              (message.entry().empty() ? "" : "#" + message.entry()) + words_of_reading(message);
     case v1::Spectrum::kConstant:
     case v1::Spectrum::kSamples:
+    case v1::Spectrum::kSunlight:
     case v1::Spectrum::SOURCE_NOT_SET:
       break;
   }
