@@ -4,8 +4,9 @@ namespace metamer {
 
 std::span<const char* const> feature_names() {
   static constexpr const char* names[] = {
-      "mirrors",     "exact_fresnel", "anisotropy", "corner_shading", "factors",    "textures",
-      "area_lights", "environment",   "planes",     "fluorescence",   "multi_pass", "transmission"};
+      "mirrors",    "exact_fresnel", "anisotropy",  "corner_shading", "factors",
+      "textures",   "area_lights",   "environment", "planes",         "fluorescence",
+      "multi_pass", "transmission",  "lens"};
   return names;
 }
 

@@ -20,6 +20,7 @@ enum class Feature : std::uint8_t {
   fluorescence,    ///< Light that becomes light of longer wavelengths at a surface.
   multi_pass,      ///< `point` by four wavelengths at a time.
   transmission,    ///< Light that is refracted, and absorbed on its way.
+  lens,            ///< Cameras that are no pinholes.
 };
 
 /// Feature by feature, in the order of the enumeration: its name, as on the wire.
@@ -36,7 +37,7 @@ class Features {
   }
   static constexpr Features all() {
     Features set{};
-    set.bits_ = bit(Feature::transmission) * 2 - 1;
+    set.bits_ = bit(Feature::lens) * 2 - 1;
     return set;
   }
 

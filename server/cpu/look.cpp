@@ -39,7 +39,7 @@ std::vector<double> light_on(const RenderScene& scene, const EmbreeScene& geomet
   return weights;
 }
 
-/// The one sample in a pixel's middle, with all that it meets.
+/// The one sample in a pixel's middle, through that of the lens, with all that it meets.
 Gather gather_middle(const RenderScene& scene, const EmbreeScene& geometry, const v1::Plan& plan,
                      std::uint32_t x, std::uint32_t y) {
   const Tracer tracer(scene, geometry,
@@ -48,7 +48,8 @@ Gather gather_middle(const RenderScene& scene, const EmbreeScene& geometry, cons
                        plan.depth(),
                        {SamplePoint{0.5f, 0.5f}},
                        static_cast<float>(plan.cutoff()),
-                       plan.light_samples()});
+                       plan.light_samples(),
+                       false});
   auto workspace = tracer.make_workspace();
   const std::uint32_t across = x % tracer.block_width(), down = y % tracer.block_height();
   tracer.gather_block(x - across, y - down, workspace);

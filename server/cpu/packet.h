@@ -22,6 +22,7 @@ struct Packet {
   std::array<std::uint32_t, 8> seed{};        ///< Of the pixel, for points on lights.
   std::array<std::uint32_t, 8> sample{};      ///< Number of the pixel's sample.
   bool from_eye = true;                       ///< No mirror met yet.
+  bool from_lens = false;                     ///< Each from a point of its own of the lens.
   Vec8 hit{};                                 ///< Where the ray hit.
   Vec8 point{};                               ///< The same, lifted off the surface.
   /// What each ray is in, where the scene has clear objects; else null.

@@ -191,7 +191,8 @@ Shading::Lobes Shading::evaluate(const RenderMaterial& material, const Angles& a
 }
 
 /// Adds the lobes of lanes whose model is evaluated at places of the triangle: once for all lanes
-/// on it, since its places are the same for all. Seen over mirrors each lane has an eye of its own.
+/// on it, since its places are the same for all. Seen over mirrors, or by a lens, each lane has an
+/// eye of its own.
 void Shading::interpolate(const Step& step, Int8 lanes, Lobes& lobes) const {
   const Hits& hits = step.hits;
   const Packet& packet = step.packet;
@@ -202,7 +203,7 @@ void Shading::interpolate(const Step& step, Int8 lanes, Lobes& lobes) const {
     if (!left[first]) continue;
     Int8 same =
         left & (hits.object == hits.object[first]) & (hits.primitive == hits.primitive[first]);
-    if (!packet.from_eye) {
+    if (!packet.from_eye || packet.from_lens) {
       same = Int8{};
       same[first] = -1;
     }

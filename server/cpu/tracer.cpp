@@ -46,6 +46,7 @@ Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const Fram
   if (media_) tree_.emplace(scene, geometry, *media_, shading_, depth_, frame.cutoff);
   std::tie(block_width_, block_height_) = block_size(frame.samples.size());
   prepare_samples(frame.samples);
+  if (frame.lens && scene.camera.aperture_radius > 0) lens_.emplace(scene.camera);
 
   // Scale the camera's axes to pixels; pixels are square.
   const RenderCamera& camera = scene.camera;
@@ -102,7 +103,7 @@ void Tracer::gather_block(std::uint32_t x, std::uint32_t y, Workspace& workspace
     packet.active = samples.active & (film_x < static_cast<float>(width_)) &
                     (film_y < static_cast<float>(height_));
     packet.pixel = samples.pixel;
-    if (!shading_.soft().empty()) {
+    if (lens_ || !shading_.soft().empty()) {
       packet.sample = samples.number;
       for (unsigned i = 0; i < lane_count; ++i) {
         const std::uint32_t px = x + samples.pixel[i] % block_width_;
@@ -110,7 +111,9 @@ void Tracer::gather_block(std::uint32_t x, std::uint32_t y, Workspace& workspace
       }
     }
     packet.origin = eye_;
-    packet.direction = shared::unit(corner_ + across_ * film_x + down_ * film_y);
+    const Vec8 way = corner_ + across_ * film_x + down_ * film_y;
+    packet.direction = shared::unit(way);
+    if (lens_) lens_->put_rays(way, packet);
     if (tree_)
       tree_->trace(packet, workspace);
     else

@@ -7,6 +7,7 @@
 
 #include "metamer/v1/plan.pb.h"
 #include "server/cpu/embree_scene.h"
+#include "server/cpu/lens.h"
 #include "server/cpu/media.h"
 #include "server/cpu/ray_tree.h"
 #include "server/cpu/shading.h"
@@ -28,6 +29,7 @@ class Tracer {
     std::vector<SamplePoint> samples;  ///< Of each pixel; at least one.
     float cutoff = 1e-3f;              ///< Of paths over clear surfaces.
     std::uint32_t light_samples = 1;   ///< Of each light with a surface and of the environment.
+    bool lens = true;                  ///< The camera's; without it, all rays are from its middle.
   };
   /// The references must outlive the tracer.
   Tracer(const RenderScene& scene, const EmbreeScene& geometry, const Frame& frame);
@@ -74,6 +76,7 @@ class Tracer {
   std::uint32_t width_, height_;
   std::uint32_t block_width_, block_height_;  ///< Pixels of a packet below eight samples; else 1×1.
   std::vector<Samples> samples_;              ///< Of one block.
+  std::optional<Lens> lens_;                  ///< Of a camera that is no pinhole.
   Vec8 eye_, corner_, across_,
       down_;  ///< Direction = corner + x across + y down, x and y in pixels.
 };

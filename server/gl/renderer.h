@@ -14,6 +14,6 @@ std::unique_ptr<Backend> make_backend(Device& device, unsigned threads);
 /// What they have.
 inline constexpr Features features = Features::all().without(
     {Feature::mirrors, Feature::factors, Feature::textures, Feature::area_lights,
-     Feature::environment, Feature::planes, Feature::transmission});
+     Feature::environment, Feature::planes, Feature::transmission, Feature::lens});
 
 }  // namespace metamer::gl

@@ -38,6 +38,8 @@ Lack lack(Feature feature, const std::string& by) {
       return {refusal, "the " + by + " has no refraction"};
     case Feature::fluorescence:
       return {refusal, "the " + by + " has no fluorescence"};
+    case Feature::lens:
+      return {refusal, "the " + by + " has no lens: its camera is a pinhole"};
   }
   return {refusal, {}};
 }
@@ -96,6 +98,7 @@ std::vector<Need> features_of(const RenderScene& scene, const v1::Settings& sett
   need_of_objects(
       scene, Feature::fluorescence,
       [](const Object&, const Material& m) { return m.fluorescence.has_value(); }, needs);
+  if (scene.camera.aperture_radius > 0) needs.push_back({Feature::lens, "camera.aperture_radius"});
   if (settings.method().point().multi_pass())
     needs.push_back({Feature::multi_pass, "settings.method.point.multi_pass"});
   return needs;

@@ -19,7 +19,11 @@ struct CameraSpace {
   void place(RenderLight& light) const;
   void place(RenderMedium& medium) const { medium.thickness *= scale; }
   Eigen::Vector3d to_world(const Eigen::Vector3d& placed) const { return placed / scale + origin; }
-  void place(RenderCamera& camera) const { camera.eye = scale * (camera.eye - origin); }
+  void place(RenderCamera& camera) const {
+    camera.eye = scale * (camera.eye - origin);
+    camera.aperture_radius *= scale;
+    camera.focus_distance *= scale;
+  }
 };
 
 /// The scene in its own camera space.

@@ -243,6 +243,9 @@ RenderCamera compile_camera(const v1::Camera& camera) {
   to.up = to.right.cross(to.forward);
   const double fov = camera.has_vertical_fov() ? camera.vertical_fov() : 35;
   to.tan_half_fov = std::tan(fov * std::numbers::pi / 360);
+  to.aperture_radius = camera.aperture_radius();
+  to.focus_distance = camera.has_focus_distance() ? camera.focus_distance()
+                                                  : (to_vector(camera.target()) - to.eye).norm();
   return to;
 }
 

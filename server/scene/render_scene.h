@@ -24,6 +24,8 @@ struct RenderCamera {
   Eigen::Vector3d eye;
   Eigen::Vector3d forward, right, up;  ///< Orthonormal.
   double tan_half_fov;                 ///< Of the vertical field of view.
+  double aperture_radius = 0;          ///< Of a thin lens around the eye; 0: a pinhole.
+  double focus_distance = 1;           ///< Of the plane that is sharp, along `forward`.
 };
 
 /// What a pixel's gather knows by an index: an emission of one luminance, and where it comes from.

@@ -39,4 +39,8 @@ void Pattern::put(Point8& point, unsigned lane) const {
   point.v[lane] = to_unit(mirrored(scrambled(mirrored(second(index)), hashed(seed, 2))));
 }
 
+Pattern Pattern::shuffled() const {
+  return {mirrored(scrambled(mirrored(index), hashed(seed, 6))), seed};
+}
+
 }  // namespace metamer::cpu::soft

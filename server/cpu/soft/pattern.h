@@ -30,6 +30,9 @@ struct Pattern {
   std::uint32_t index, seed;
   /// Sets one lane.
   void put(Point8& point, unsigned lane) const;
+  /// The same points in an order of the seed's own, each 2^k from a multiple of 2^k on together
+  /// (Burley, 3.1): without it they would go with those of another pattern of the same numbers.
+  Pattern shuffled() const;
 };
 
 }  // namespace metamer::cpu::soft
