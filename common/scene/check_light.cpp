@@ -21,7 +21,7 @@ std::string choices() {
   for (int i = 0; i < where.field_count(); ++i) {
     if (i > 0) text += i + 1 == where.field_count() ? " or " : ", ";
     const std::string name = where.field(i)->name();
-    text += (name.front() == 'e' ? "an " : "a ") + name;
+    text += (name.front() == 'e' || name.front() == 'o' ? "an " : "a ") + name;
   }
   return text;
 }
@@ -104,13 +104,14 @@ void check_light(const v1::Light& light, const std::string& field, Findings& fin
   if (!check_values(light, field, findings)) return;
 
   const ChosenLight chosen = chosen_light(light);
-  const bool is_seen = light.has_environment() || (chosen.entry && chosen.entry->has_area);
+  const bool is_seen =
+      light.has_environment() || light.has_object() || (chosen.entry && chosen.entry->has_area);
   if (chosen.entry != nullptr) {
     check_parameters(chosen, field, findings);
     check_sides(light, field, findings);
   } else if (light.has_environment()) {
     check_environment(light.environment(), field + ".environment", findings);
-  } else {
+  } else if (!light.has_object()) {
     findings.add(field, "light needs " + choices());
   }
 
@@ -118,7 +119,6 @@ void check_light(const v1::Light& light, const std::string& field, Findings& fin
     check_spectrum(light.spectrum(), field + ".spectrum", SpectrumRole::emission, findings);
   } else {
     findings.add(field, "light needs a spectrum");
-  }
   check_luminance(light.luminance(), field + ".luminance", findings);
 
   check_solid_angle(light, is_seen, field + ".solid_angle", findings);
@@ -129,7 +129,11 @@ void check_light(const v1::Light& light, const std::string& field, Findings& fin
 
   if (!light.has_reference_distance()) return;
   const std::string distance = field + ".reference_distance";
-  if (chosen.entry == nullptr ? light.has_environment() : !lights::is_local(*chosen.entry)) {
+  if (light.has_object()) {
+    findings.add(distance,
+                 "reference_distance is for lights whose shape is known: the luminance is that of "
+                 "the object's own surface");
+  } else if (chosen.entry == nullptr ? light.has_environment() : !lights::is_local(*chosen.entry)) {
     findings.add(distance, "reference_distance is for lights with a position");
   } else if (!(light.reference_distance() > 0)) {
     findings.add(distance, "reference_distance must be above 0 (it is " +

@@ -1,5 +1,7 @@
 #include "common/scene/validate.h"
 
+#include <algorithm>
+#include <map>
 #include <optional>
 
 #include "common/scene/findings.h"
@@ -46,7 +48,7 @@ PartNames check_materials(const v1::Scene& scene, Findings& findings) {
   return names;
 }
 
-void check_objects(const v1::Scene& scene, PartNames& materials, Findings& findings) {
+PartNames check_objects(const v1::Scene& scene, PartNames& materials, Findings& findings) {
   if (scene.object().empty()) findings.add("object", "the scene needs an object");
   PartNames names("object");
   const std::size_t count =
@@ -62,6 +64,41 @@ void check_objects(const v1::Scene& scene, PartNames& materials, Findings& findi
     }
     check_object(object, field, findings);
   }
+  return names;
+}
+
+/// The item of this name; null: there is none.
+template <class Item>
+const Item* named(const google::protobuf::RepeatedPtrField<Item>& items, const std::string& name) {
+  const auto found = std::find_if(items.begin(), items.end(),
+                                  [&](const Item& item) { return item.name() == name; });
+  return found != items.end() ? &*found : nullptr;
+}
+
+/// The objects that shine.
+void check_shining(const v1::Scene& scene, PartNames& objects, Findings& findings) {
+  std::map<std::string, int> lights;
+  for (int i = 0; i < scene.light_size(); ++i) {
+    if (!scene.light(i).has_object()) continue;
+    const std::string field = indexed("light", static_cast<std::size_t>(i)) + ".object";
+    const std::string& name = scene.light(i).object();
+    if (name.empty()) {
+      findings.add(field, "light needs the name of an object");
+      continue;
+    }
+    objects.check_known(name, field, findings);
+    const v1::Object* object = named(scene.object(), name);
+    if (object == nullptr) continue;
+    const v1::Material* material = named(scene.material(), object->material());
+    const auto [first, is_new] = lights.try_emplace(name, i);
+    if (object->has_plane())
+      findings.add(field, "a plane has no end: it can't shine");
+    else if (material != nullptr && material->has_transmission())
+      findings.add(field, "its material is clear: what lets light through can't shine");
+    else if (!is_new)
+      findings.add(field, "it shines already, by " +
+                              indexed("light", static_cast<std::size_t>(first->second)));
+  }
 }
 
 }  // namespace
@@ -76,7 +113,8 @@ std::vector<Problem> validate_scene(const v1::Scene& scene) {
   }
   check_lights(scene, findings);
   PartNames materials = check_materials(scene, findings);
-  check_objects(scene, materials, findings);
+  PartNames objects = check_objects(scene, materials, findings);
+  check_shining(scene, objects, findings);
   check_settings(scene.settings(), "settings", findings);
   return findings.take();
 }

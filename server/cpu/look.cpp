@@ -19,7 +19,7 @@ Int8 first_lane_alone() {
 std::vector<double> light_on(const RenderScene& scene, const EmbreeScene& geometry, const Vec8& hit,
                              const Hits& hits) {
   const Vec8 lifted = hit + hits.geometric_normal * shared::lift_off(hit, hits.distance);
-  const soft::SoftLights soft(scene, 1);
+  const soft::SoftLights soft(scene, geometry, 1);
   std::vector<double> weights =
       soft.on_surface(geometry, hit, lifted, hits.normal, scene.lights.size());
   for (std::size_t l = 0; l < scene.lights.size(); ++l) {

@@ -56,7 +56,8 @@ void RayTree::follow(Branch& branch, std::vector<Branch>& stack, Workspace& work
   if (any(clear)) crossing = media_.cross(packet.hit, hits, clear, branch.inside);
   packet.point = packet.hit + hits.geometric_normal * shared::lift_off(packet.hit, hits.distance);
 
-  // Gather the light that the surfaces reflect by their models.
+  // Gather the light of surfaces that shine, and what they reflect by their models.
+  shading_.soft().add_objects(packet, hits, packet.active & ~crossing.passed, workspace);
   Packet shaded = packet;
   shaded.active = shaded_lanes(branch, hits, crossing, crossing.passed);
   shaded.inside = &branch.inside;

@@ -50,7 +50,7 @@ Shading::Shading(const RenderScene& scene, const EmbreeScene& geometry, float fo
       geometry_(geometry),
       media_(media),
       texturing_(scene, geometry, footprint),
-      soft_(scene, light_samples),
+      soft_(scene, geometry, light_samples),
       needed_(needed_angles(scene)) {
   for (const RenderLight& light : scene.lights) {
     Light& to = lights_.emplace_back();

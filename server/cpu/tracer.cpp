@@ -129,6 +129,7 @@ void Tracer::trace(Packet& packet, Workspace& workspace) const {
       soft.add(packet, soft.find(packet, hits), workspace);
     packet.active = hits.hit;
     if (!any(packet.active)) return;
+    shading_.soft().add_objects(packet, hits, packet.active, workspace);
 
     packet.hit = packet.origin + packet.direction * hits.distance;
     packet.point = packet.hit + hits.geometric_normal * shared::lift_off(packet.hit, hits.distance);

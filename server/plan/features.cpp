@@ -54,11 +54,12 @@ void need_of_objects(const RenderScene& scene, Feature feature, Predicate needs_
   if (need.count > 0) needs.push_back(need);
 }
 
-void need_of_lights(const RenderScene& scene, Feature feature, RenderLight::Source source,
-                    std::vector<Need>& needs) {
-  Need need{feature, {}, 0};
+void need_of_area_lights(const RenderScene& scene, std::vector<Need>& needs) {
+  using Source = RenderLight::Source;
+  Need need{Feature::area_lights, {}, 0};
   for (const RenderLight& light : scene.lights)
-    if (light.source == source && need.count++ == 0) need.field = light.field;
+    if ((light.source == Source::surface || light.source == Source::object) && need.count++ == 0)
+      need.field = light.field;
   if (need.count > 0) needs.push_back(need);
 }
 
@@ -93,7 +94,7 @@ std::vector<Need> features_of(const RenderScene& scene, const v1::Settings& sett
       scene, Feature::planes,
       [](const Object& object, const Material&) { return object.shape == Object::Shape::plane; },
       needs);
-  need_of_lights(scene, Feature::area_lights, RenderLight::Source::surface, needs);
+  need_of_area_lights(scene, needs);
   if (scene.environment) needs.push_back({Feature::environment, scene.environment->field});
   need_of_objects(
       scene, Feature::fluorescence,

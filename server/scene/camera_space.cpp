@@ -12,7 +12,8 @@ using Kind = lights::Parameter::Kind;
 
 /// Calls it with the kind and the place of each parameter among a light's values.
 void for_each_parameter(const RenderLight& light, auto&& call) {
-  if (light.source == RenderLight::Source::environment) return;
+  using Source = RenderLight::Source;
+  if (light.source == Source::environment || light.source == Source::object) return;
   std::size_t at = 1;
   for (const lights::Parameter& one : lights::entry(light.light).parameters) {
     call(one.kind, at);

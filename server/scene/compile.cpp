@@ -16,6 +16,7 @@
 #include "server/scene/media.h"
 #include "server/scene/object_compiler.h"
 #include "server/scene/placement.h"
+#include "server/scene/shining.h"
 #include "server/scene/spectrum_lists.h"
 
 namespace metamer {
@@ -70,6 +71,9 @@ class Compiler {
     if (parts == Parts::all)
       if (auto fault = find_interfaces(result_, result_)) to_.problems.push_back(*std::move(fault));
     if (cancelled_ || !to_.problems.empty()) return tl::unexpected(std::move(to_.problems));
+    if (parts == Parts::all)
+      if (auto fault = find_shining(result_.lights, result_))
+        return tl::unexpected(std::vector<Problem>{*std::move(fault)});
     return std::move(result_);
   }
 
@@ -92,6 +96,7 @@ class Compiler {
     const v1::Light& light = scene_.light(index);
     const std::string field = "light[" + std::to_string(index) + "]";
     if (light.has_environment()) return environment(light, field);
+    if (light.has_object()) return shining_object(light, field);
     const ChosenLight chosen = chosen_light(light);
     result_.lights.push_back(
         {.name = light.name(),
@@ -105,6 +110,24 @@ class Compiler {
          .solid_angle = light.has_solid_angle() ? light.solid_angle() : std::numbers::pi,
          .emission = spectra_.emission(light.spectrum(), field + ".spectrum"),
          .visible = !light.has_visible() || light.visible()});
+  }
+
+  void shining_object(const v1::Light& light, const std::string& field) {
+    const auto object =
+        std::find_if(scene_.object().begin(), scene_.object().end(),
+                     [&](const v1::Object& one) { return one.name() == light.object(); });
+    result_.lights.push_back(
+        {.name = light.name(),
+         .field = field,
+         .source = RenderLight::Source::object,
+         .light = {},
+         .parameters = {},
+         .reference_distance = 0,
+         .luminance = light.has_luminance() ? light.luminance() : 1,
+         .solid_angle = std::numbers::pi,
+         .emission = spectra_.emission(light.spectrum(), field + ".spectrum"),
+         .visible = !light.has_visible() || light.visible(),
+         .object = static_cast<std::uint32_t>(object - scene_.object().begin())});
   }
 
   void environment(const v1::Light& light, const std::string& field) {

@@ -33,12 +33,13 @@ struct RenderLight {
   enum class Source : unsigned char {
     place,        ///< A place or a direction: one ray finds it.
     surface,      ///< It shines from each of its points.
+    object,       ///< The same, and is an object of the scene.
     environment,  ///< It shines from all directions: RenderScene::environment has how much.
   };
   std::string name;
   std::string field;  ///< Of the scene: "light[0]".
   Source source = Source::place;
-  lights::Light light;                ///< Its line in lights.def; an environment has none.
+  lights::Light light;  ///< Its line in lights.def; an object and an environment have none.
   lights::Values<double> parameters;  ///< Behind the place of its reference distance.
   double reference_distance;          ///< 0: the luminance holds at every distance.
   double luminance;
@@ -46,7 +47,8 @@ struct RenderLight {
   std::uint32_t emission;  ///< Index into RenderScene::emissions.
   /// That of the whole, where it is one part of what shines; else the same.
   std::uint32_t own_emission = emission;
-  bool visible = true;  ///< To the eye; mirrors show what shines in any case.
+  bool visible = true;       ///< To the eye; mirrors show what shines in any case.
+  std::uint32_t object = 0;  ///< Index into RenderScene::objects, of one that is an object.
 
   /// Its struct in the shaders, flat.
   lights::Values<double> values() const {
@@ -120,6 +122,8 @@ struct RenderObject {
   std::uint32_t material;
   v1::Shading shading;
   Eigen::Affine3d to_world;
+  /// Of a mesh that shines: shares of its area, those of the triangles up to and with each.
+  std::shared_ptr<const std::vector<double>> area_up_to = {};
 };
 
 /// A scene as a backend wants it: flat arrays, every name resolved to an index, every spectrum

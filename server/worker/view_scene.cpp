@@ -9,6 +9,7 @@
 #include "common/scene/validate.h"
 #include "server/scene/compile.h"
 #include "server/scene/media.h"
+#include "server/scene/shining.h"
 
 namespace metamer::worker {
 namespace {
@@ -143,6 +144,8 @@ tl::expected<ViewScene::Change, ViewScene::Problems> ViewScene::change_appearanc
     return Change::objects;
   }
   if (auto fault = find_interfaces(*compiled, *now_.scene))
+    return tl::unexpected(Problems{*std::move(fault)});
+  if (auto fault = find_shining(compiled->lights, *now_.scene))
     return tl::unexpected(Problems{*std::move(fault)});
   keep_objects(*compiled);
   *now_.scene = std::move(*compiled);

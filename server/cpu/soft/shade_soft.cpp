@@ -14,14 +14,14 @@ void Shading::shade_soft(const Packet& packet, const Hits& hits, const Places& p
   here.interpolated = Int8{};
   const float share = 1 / static_cast<float>(soft_.samples());
   for (const soft::SoftLights::Surface& surface : soft_.surfaces()) {
-    const soft::SurfaceLight::View view = surface.shape.view(packet.hit, packet.active);
+    const soft::SurfaceLight::View view = surface.view(packet.hit, packet.active, hits);
     if (!any(view.lanes)) continue;
     const Step step{packet, here, places, surface.light, workspace};
     for (std::uint32_t j = 0; j < soft_.samples(); ++j) {
       soft::Point8 point;
       for (unsigned i = 0; i < lane_count; ++i)
         soft::pattern_of(packet, i, soft_.samples(), j, surface.light).put(point, i);
-      const soft::Sample8 sample = surface.shape.sample(view, point);
+      const soft::Sample8 sample = surface.sample(view, point, packet.point);
       const Int8 sound = view.lanes & (sample.weight > 0.0f) &
                          (sample.weight <= std::numeric_limits<float>::max());
       const Int8 facing = sound & (dot(hits.normal, sample.direction) > 0.0f);

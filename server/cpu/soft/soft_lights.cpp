@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "server/cpu/soft/object_light.h"
+
 namespace metamer::cpu::soft {
 namespace {
 
@@ -19,11 +21,35 @@ void add_white(const Packet& packet, unsigned lane, std::uint32_t light, float w
 
 }  // namespace
 
-SoftLights::SoftLights(const RenderScene& scene, std::uint32_t samples) : samples_(samples) {
-  for (std::uint32_t i = 0; i < scene.lights.size(); ++i)
-    if (scene.lights[i].source == RenderLight::Source::surface)
-      surfaces_.push_back({i, scene.lights[i].visible, SurfaceLight(scene.lights[i])});
+SoftLights::SoftLights(const RenderScene& scene, const EmbreeScene& geometry, std::uint32_t samples)
+    : samples_(samples) {
+  for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
+    const RenderLight& light = scene.lights[i];
+    if (light.source == RenderLight::Source::surface)
+      surfaces_.push_back({i, light.visible, SurfaceLight(light)});
+    if (light.source != RenderLight::Source::object) continue;
+    // What is no instance has triangles as its map turns them.
+    const RenderObject& object = scene.objects[light.object];
+    const auto number = static_cast<int>(light.object);
+    const bool mirrored = object.shape == RenderObject::Shape::mesh &&
+                          !geometry.is_instance(number) &&
+                          object.to_world.linear().determinant() < 0;
+    of_object_.resize(scene.objects.size(), -1);
+    of_object_[light.object] = static_cast<int>(surfaces_.size());
+    surfaces_.push_back({i, light.visible, object_light(scene, light), number, mirrored});
+  }
   if (scene.environment) sky_.emplace(scene);
+}
+
+Sample8 SoftLights::Surface::sample(const SurfaceLight::View& view, const Point8& point,
+                                    const Vec8& lifted) const {
+  Sample8 sample = shape.sample(view, point);
+  if (object < 0) return sample;
+  const Vec8 way = view.at + sample.direction * (sample.reach / reached) - lifted;
+  const Float8 distance = sqrt(dot(way, way));
+  sample.direction = way / max(distance, broadcast(1e-30F));
+  sample.reach = distance * reached;
+  return sample;
 }
 
 SoftLights::Seen SoftLights::find(const Packet& packet, Hits& hits) const {
@@ -34,7 +60,7 @@ SoftLights::Seen SoftLights::find(const Packet& packet, Hits& hits) const {
             .distance = select(hits.hit, hits.distance * before, metamer::broadcast(infinity)),
             .sky = {}};
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-    if (packet.from_eye && !surfaces_[i].visible) continue;
+    if (surfaces_[i].object >= 0 || (packet.from_eye && !surfaces_[i].visible)) continue;
     const Float8 distance = surfaces_[i].shape.meet(packet.origin, packet.direction);
     const Int8 nearer = packet.active & (distance < seen.distance);
     seen.distance = select(nearer, distance, seen.distance);
@@ -59,6 +85,20 @@ void SoftLights::add(const Packet& packet, const Seen& seen, Workspace& workspac
   }
 }
 
+void SoftLights::add_objects(const Packet& packet, const Hits& hits, Int8 lanes,
+                             Workspace& workspace) const {
+  if (of_object_.empty()) return;
+  for (unsigned i = 0; i < lane_count; ++i) {
+    if (!lanes[i]) continue;
+    const int index = of_object_[static_cast<std::size_t>(hits.object[i])];
+    if (index < 0) continue;
+    const Surface& surface = surfaces_[static_cast<std::size_t>(index)];
+    if ((hits.behind[i] != 0) != surface.mirrored || (packet.from_eye && !surface.visible))
+      continue;
+    add_white(packet, i, surface.light, surface.shape.radiance(), workspace);
+  }
+}
+
 std::vector<double> SoftLights::on_surface(const EmbreeScene& geometry, const Vec8& hit,
                                            const Vec8& lifted, const Vec8& normal,
                                            std::size_t lights) const {
@@ -76,7 +116,7 @@ std::vector<double> SoftLights::on_surface(const EmbreeScene& geometry, const Ve
     for (std::uint32_t j = 0; j < points; j += lane_count) {
       Point8 point;
       for (unsigned i = 0; i < lane_count; ++i) Pattern{j + i, 0}.put(point, i);
-      const auto sample = surface.shape.sample(view, point);
+      const auto sample = surface.sample(view, point, lifted);
       sums[surface.light] +=
           double{sum(by_cosine(sample.direction, sample.reach, sample.weight))} / points;
     }

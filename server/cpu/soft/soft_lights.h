@@ -15,8 +15,8 @@ namespace metamer::cpu::soft {
 /// Immutable, shared by threads.
 class SoftLights {
  public:
-  /// So many samples of each, of a sample of a pixel.
-  SoftLights(const RenderScene& scene, std::uint32_t samples);
+  /// So many samples of each, of a sample of a pixel. The scene must outlive them.
+  SoftLights(const RenderScene& scene, const EmbreeScene& geometry, std::uint32_t samples);
 
   bool empty() const { return surfaces_.empty() && !sky_; }
 
@@ -24,6 +24,15 @@ class SoftLights {
     std::uint32_t light;  ///< Index into RenderScene::lights.
     bool visible;
     SurfaceLight shape;
+    int object = -1;        ///< Of an object that shines; -1: it hides nothing, and is none.
+    bool mirrored = false;  ///< That object shines to what Embree has as its back.
+    SurfaceLight::View view(const Vec8& at, Int8 active, const Hits& hits) const {
+      if (object < 0) return shape.view(at, active);
+      return shape.view(at, active, hits.object == object, hits.primitive);
+    }
+    /// For rays from `lifted`, a little off the view's points: an object's own surface is met where
+    /// the sample lies, however obliquely.
+    Sample8 sample(const SurfaceLight::View& view, const Point8& point, const Vec8& lifted) const;
   };
   const std::vector<Surface>& surfaces() const { return surfaces_; }
   const std::optional<Sky>& sky() const { return sky_; }
@@ -39,6 +48,8 @@ class SoftLights {
   Seen find(const Packet& packet, Hits& hits) const;
   /// Gives that light, over the chains of the packet.
   void add(const Packet& packet, const Seen& seen, Workspace& workspace) const;
+  /// Gives the light of objects that these lanes have hit in front.
+  void add_objects(const Packet& packet, const Hits& hits, Int8 lanes, Workspace& workspace) const;
 
   /// What each light sends to a surface that the first lane has met, by its cosine; 0 for those
   /// that are a place or direction.
@@ -47,6 +58,7 @@ class SoftLights {
 
  private:
   std::vector<Surface> surfaces_;
+  std::vector<int> of_object_;  ///< Index into surfaces_, or -1; empty: no object shines.
   std::optional<Sky> sky_;
   std::uint32_t samples_;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "server/scene/surface_white.h"
 
@@ -13,8 +14,6 @@ namespace {
 using Eigen::Vector3d;
 constexpr double pi = std::numbers::pi;
 constexpr float infinity = std::numeric_limits<float>::infinity();
-/// Of the way to a light: a surface in which it lies does not hide it (incident.glsl).
-constexpr float reached = 0.9999F;
 /// sr. From farther away, points that are even in area are as good, and f32 has their place better;
 /// where the rectangle is more than the light, they are better up to where it is close by.
 constexpr double least_near = 0.02, least_near_within = 1;
@@ -83,15 +82,27 @@ SurfaceLight::SurfaceLight(const RenderLight& light) {
   corner_ = middle_ - u_ / 2 - v_ / 2 + std::min(0.0, shear) * x_;
 }
 
+SurfaceLight::SurfaceLight(std::shared_ptr<const PointwiseLight> pointwise)
+    : shape_(Shape::pointwise), pointwise_(std::move(pointwise)) {}
+
 SurfaceLight::View SurfaceLight::view(const Vec8& at, Int8 active) const {
   View view{};
   view.at = at;
   view.lanes = active;
   if (shape_ == Shape::sphere)
     view_sphere(view);
+  else if (shape_ == Shape::pointwise)
+    view.own = Int8{} - 1;
   else
     view_quad(view);
   return view;
+}
+
+SurfaceLight::View SurfaceLight::view(const Vec8& at, Int8 active, Int8 own, Int8 primitive) const {
+  if (shape_ != Shape::pointwise) return view(at, active & ~own);
+  View of_some = view(at, active);
+  of_some.own = own ? primitive : of_some.own;
+  return of_some;
 }
 
 void SurfaceLight::view_sphere(View& view) const {
@@ -177,6 +188,7 @@ Int8 SurfaceLight::covers(const Vec8& offset) const {
 
 Sample8 SurfaceLight::sample(const View& view, const Point8& point) const {
   if (shape_ == Shape::sphere) return sample_sphere(view, point);
+  if (shape_ == Shape::pointwise) return sample_pointwise(view, point);
   const Vec8 to_middle = to_lanes(middle_) - view.at;
   Vec8 way = to_middle + point_of(point);
   Int8 covered = Int8{} - 1;
@@ -210,6 +222,23 @@ Sample8 SurfaceLight::sample_sphere(const View& view, const Point8& point) const
   const Float8 reach = view.distance * along - sqrt(max(left, Float8{}));
   const Float8 weight = 2.0f * radiance_ * view.cone;  // Ω = 2π (1 − cos)
   return {direction, reach * reached, select(view.lanes, weight, Float8{})};
+}
+
+Sample8 SurfaceLight::sample_pointwise(const View& view, const Point8& point) const {
+  Sample8 sample{};
+  for (int i = 0; i < lane_count; ++i) {
+    if (!view.lanes[i]) continue;
+    const PointwiseLight::Found found =
+        pointwise_->find(Vector3d(view.at.x[i], view.at.y[i], view.at.z[i]), double{point.u[i]},
+                         double{point.v[i]}, view.own[i]);
+    if (!(found.weight > 0)) continue;
+    sample.direction.x[i] = static_cast<float>(found.direction.x());
+    sample.direction.y[i] = static_cast<float>(found.direction.y());
+    sample.direction.z[i] = static_cast<float>(found.direction.z());
+    sample.reach[i] = static_cast<float>(found.distance) * reached;
+    sample.weight[i] = static_cast<float>(found.weight) * radiance_;
+  }
+  return sample;
 }
 
 Float8 SurfaceLight::meet(const Vec8& origin, const Vec8& direction) const {

@@ -1,26 +1,21 @@
 #pragma once
 
 #include <array>
+#include <memory>
 
 #include "server/cpu/lanes.h"
 #include "server/cpu/soft/pattern.h"
+#include "server/cpu/soft/pointwise_light.h"
 #include "server/scene/render_scene.h"
 
 namespace metamer::cpu::soft {
-
-/// Light from some point of a light: what shaders/lights/incident.glsl has of a place. The weight
-/// is that of the light's luminance, of a perfect white that faces it: L Ω / π of a point that
-/// stands for the solid angle Ω.
-struct Sample8 {
-  Vec8 direction;
-  Float8 reach, weight;
-};
 
 /// A quad, disk or sphere that shines alike in all directions before it, as E[3.2-4] has luminance:
 /// seen from the front it has the luminance L. It hides nothing, and from behind is not there.
 class SurfaceLight {
  public:
   explicit SurfaceLight(const RenderLight& light);
+  explicit SurfaceLight(std::shared_ptr<const PointwiseLight> pointwise);
 
   /// How it is seen from eight points, for all samples there.
   struct View {
@@ -30,8 +25,11 @@ class SurfaceLight {
     Vec8 axis;              ///< A sphere's: to its middle, unit.
     Float8 distance, cone;  ///< A sphere's: to its middle; 1 − cosine of its half-angle.
     Float8 x0, x1, y0, y1, z, b0, b1, k, angle;  ///< A quad's, as their paper names them.
+    Int8 own;  ///< Of a pointwise light: the primitive that the point lies in, or -1.
   };
   View view(const Vec8& at, Int8 active) const;
+  /// The same of points of which `own` lie in these primitives of the light's own surface.
+  View view(const Vec8& at, Int8 active, Int8 own, Int8 primitive) const;
   /// Lanes outside view.lanes have no weight.
   Sample8 sample(const View& view, const Point8& point) const;
 
@@ -41,11 +39,12 @@ class SurfaceLight {
   float radiance() const { return radiance_; }  ///< L by the light's luminance.
 
  private:
-  enum class Shape { quad, disk, sphere };
+  enum class Shape { quad, disk, sphere, pointwise };
 
   void view_sphere(View& view) const;
   void view_quad(View& view) const;
   Sample8 sample_sphere(const View& view, const Point8& point) const;
+  Sample8 sample_pointwise(const View& view, const Point8& point) const;
   /// A point of the rectangle around it: what lies outside has no weight.
   Vec8 even_point(const View& view, const Point8& point) const;
   Vec8 point_of(const Point8& point) const;
@@ -61,6 +60,7 @@ class SurfaceLight {
   Eigen::Vector3d along_u_, along_v_;  ///< and whose products with a place are a and b there.
   double least_near_ = 0;              ///< sr
   float radiance_ = 1;
+  std::shared_ptr<const PointwiseLight> pointwise_;
 };
 
 }  // namespace metamer::cpu::soft

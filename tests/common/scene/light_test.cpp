@@ -17,8 +17,8 @@ bool is_vector(const Parameter& one) { return lights::value_count(one.kind) == 3
 
 TEST(SceneLight, TheSchemaHasTheFieldsOfTheTable) {
   const auto& where = *v1::Light::descriptor()->FindOneofByName("where");
-  // And an environment, which is a picture.
-  EXPECT_EQ(static_cast<std::size_t>(where.field_count()), lights::registry().size() + 1);
+  // And an environment, which is a picture, and objects that shine.
+  EXPECT_EQ(static_cast<std::size_t>(where.field_count()), lights::registry().size() + 2);
   for (const Entry& entry : lights::registry()) {
     const auto* member = v1::Light::descriptor()->FindFieldByNumber(entry.number);
     ASSERT_TRUE(member != nullptr && member->containing_oneof() == &where) << entry.name;

@@ -84,7 +84,7 @@ TEST(SceneValidate, Light) {
   EXPECT_EQ(findings({.light = ""}), Strings({"light: the scene needs a light"}));
   EXPECT_EQ(findings({.light = "light { }"}),
             Strings({"light[0]: light needs a position, a direction, a spot, a quad, a disk, a "
-                     "sphere or an environment",
+                     "sphere, an object or an environment",
                      "light[0]: light needs a spectrum"}));
   EXPECT_EQ(findings({.light = "light { direction { } spectrum { constant: 1 } }"}),
             Strings({"light[0].direction: direction must not be 0"}));
