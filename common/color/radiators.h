@@ -15,4 +15,9 @@ Spectrum planckian(double kelvin, std::vector<double> nm);
 /// K; 1 at 560 nm. Outside 300 to 830 nm it is 0.
 Spectrum daylight(double kelvin, std::vector<double> nm);
 
+/// Of the components of daylight (CIE 15:2004, 3.1) what has a chromaticity of the 1931 observer,
+/// up to a factor: of x and y in linear terms, so that spectra at the corners of a triangle weigh
+/// all that lie in it. Of x and y that no daylight has it may be below 0 somewhere.
+Spectrum daylight_of(double x, double y);
+
 }  // namespace metamer

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "common/scene/check_day.h"
 #include "common/scene/check_spectrum.h"
 #include "common/scene/light.h"
 #include "common/scene/limits.h"
@@ -87,6 +88,19 @@ void check_environment(const v1::Light::Environment& environment, const std::str
   if (!environment.file().empty() && !has_extension(environment.file(), ".exr"))
     findings.add(field + ".file",
                  "file must end in .exr (it is " + quoted(environment.file()) + ")");
+  if (!environment.has_sky()) return;
+  check_day(environment.sky(), field + ".sky", findings);
+  if (!environment.file().empty())
+    findings.add(field + ".file", "an environment has a file or a sky, not both");
+}
+
+/// A sky by day has one of its own.
+void check_own_spectrum(const v1::Light& light, const std::string& field, Findings& findings) {
+  const bool has_own = light.environment().has_sky();
+  if (light.has_spectrum() && has_own)
+    findings.add(field, "a sky has spectra of its own: leave spectrum out");
+  else if (light.has_spectrum())
+    check_spectrum(light.spectrum(), field, SpectrumRole::emission, findings);
 }
 
 }  // namespace
@@ -115,9 +129,8 @@ void check_light(const v1::Light& light, const std::string& field, Findings& fin
     findings.add(field, "light needs " + choices());
   }
 
-  if (light.has_spectrum()) {
-    check_spectrum(light.spectrum(), field + ".spectrum", SpectrumRole::emission, findings);
-  } else {
+  check_own_spectrum(light, field + ".spectrum", findings);
+  if (!light.has_spectrum() && !light.environment().has_sky())
     findings.add(field, "light needs a spectrum");
   check_luminance(light.luminance(), field + ".luminance", findings);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/color/illuminants.h"
+#include "common/scene/check_day.h"
 #include "common/scene/check_wavelengths.h"
 #include "common/scene/interpolated.h"
 #include "common/scene/limits.h"
@@ -165,13 +166,17 @@ void check_spectrum(const v1::Spectrum& spectrum, const std::string& field, Spec
       check_samples(spectrum.samples(), field + ".samples", role, findings);
       break;
     case v1::Spectrum::kSunlight:
-      findings.add(field + ".sunlight", "this server has no sunlight");
+      if (role != SpectrumRole::emission)
+        findings.add(field + ".sunlight", "sunlight is an emission, not a property");
+      else
+        check_day(spectrum.sunlight(), field + ".sunlight", findings);
       break;
     case v1::Spectrum::SOURCE_NOT_SET:
       if (role != SpectrumRole::emission) {
         findings.add(field, "spectrum needs a standard, a file, a constant or samples");
       } else if (spectrum.line().empty()) {
-        findings.add(field, "spectrum needs a standard, a file, a constant, samples or lines");
+        findings.add(field,
+                     "spectrum needs a standard, a file, a constant, samples, sunlight or lines");
       }
       break;
   }

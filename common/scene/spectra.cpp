@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/color/illuminants.h"
+#include "common/color/sunlight.h"
 #include "common/image/pixel_spectrum.h"
 #include "common/scene/check_spectrum.h"
 #include "common/scene/findings.h"
@@ -111,6 +112,11 @@ Spectrum with_lines_of(const v1::Spectrum& message, Spectrum continuum) {
   return with_lines(continuum.nm.empty() ? continuum : as_emission(std::move(continuum)), lines);
 }
 
+Spectrum sunlight_of(const v1::Sunlight& message) {
+  return sunlight(message.has_turbidity() ? message.turbidity() : usual_turbidity,
+                  message.has_elevation() ? message.elevation() : usual_elevation);
+}
+
 /// The source of a message, as it is used; without samples where it has lines alone.
 Result<NotedSpectrum> load_source(const v1::Spectrum& message, const std::string& field,
                                   SpectrumRole role, const AssetReader& assets) {
@@ -126,6 +132,7 @@ Result<NotedSpectrum> load_source(const v1::Spectrum& message, const std::string
     case v1::Spectrum::kFile:
       return choose(read_file_of(message, assets), message, field, role);
     case v1::Spectrum::kSunlight:
+      return silent(sunlight_of(message.sunlight()));
     case v1::Spectrum::SOURCE_NOT_SET:
       break;
   }

@@ -10,7 +10,7 @@
 #include "common/scene/limits.h"
 #include "common/scene/reflection.h"
 #include "common/scene/settings.h"
-#include "server/scene/environment.h"
+#include "server/scene/environment/environment.h"
 #include "server/scene/fluorescences.h"
 #include "server/scene/light_parameters.h"
 #include "server/scene/media.h"
@@ -47,12 +47,14 @@ models::Reflection<float> to_f32(const models::Reflection<double>& from) {
 class Compiler {
  public:
   Compiler(const v1::Scene& scene, const AssetReader& assets, const MeshImport& import,
-           const TextureImport& textures, const std::atomic<bool>& cancelled)
+           const TextureImport& textures, const SkyImport& skies,
+           const std::atomic<bool>& cancelled)
       : to_{scene, assets},
         scene_(scene),
         result_(to_.result),
         import_(import),
         textures_(textures),
+        skies_(skies ? skies : skies_of(assets)),
         cancelled_(cancelled) {}
 
   enum class Parts { all, appearance };
@@ -131,8 +133,9 @@ class Compiler {
   }
 
   void environment(const v1::Light& light, const std::string& field) {
-    const std::uint32_t emission = spectra_.emission(light.spectrum(), field + ".spectrum");
-    auto added = add_environment(light, field, emission, to_.assets, result_);
+    const std::uint32_t emission =
+        light.has_spectrum() ? spectra_.emission(light.spectrum(), field + ".spectrum") : 0;
+    auto added = add_environment(light, field, emission, skies_, result_);
     if (!added) to_.problems.push_back(std::move(added.error()));
   }
 
@@ -235,6 +238,7 @@ class Compiler {
   RenderScene& result_;
   const MeshImport& import_;
   const TextureImport& textures_;
+  const SkyImport skies_;
   const std::atomic<bool>& cancelled_;
   SpectrumLists spectra_{to_};
   MeshNeeds mesh_needs_;
@@ -242,19 +246,19 @@ class Compiler {
 
 }  // namespace
 
-tl::expected<RenderScene, std::vector<Problem>> compile_scene(const v1::Scene& scene,
-                                                              const AssetReader& assets,
-                                                              const MeshImport& meshes,
-                                                              const TextureImport& textures,
-                                                              const std::atomic<bool>& cancelled) {
-  return Compiler(scene, assets, meshes, textures, cancelled).run(Compiler::Parts::all);
+tl::expected<RenderScene, std::vector<Problem>> compile_scene(
+    const v1::Scene& scene, const AssetReader& assets, const MeshImport& meshes,
+    const TextureImport& textures, const std::atomic<bool>& cancelled, const SkyImport& skies) {
+  return Compiler(scene, assets, meshes, textures, skies, cancelled).run(Compiler::Parts::all);
 }
 
 tl::expected<RenderScene, std::vector<Problem>> compile_appearance(const v1::Scene& scene,
                                                                    const AssetReader& assets,
-                                                                   const TextureImport& textures) {
+                                                                   const TextureImport& textures,
+                                                                   const SkyImport& skies) {
   const std::atomic<bool> never = false;
-  return Compiler(scene, assets, MeshImport(), textures, never).run(Compiler::Parts::appearance);
+  return Compiler(scene, assets, MeshImport(), textures, skies, never)
+      .run(Compiler::Parts::appearance);
 }
 
 RenderCamera compile_camera(const v1::Camera& camera) {

@@ -15,7 +15,8 @@
 #include "common/scene/fresnel.h"
 #include "common/spectral/cie.h"
 #include "common/spectral/fluorescence.h"
-#include "server/scene/sky_picture.h"
+#include "server/scene/environment/sky_picture.h"
+#include "server/scene/environment/sky_tables.h"
 #include "server/scene/texture.h"
 
 namespace metamer {
@@ -105,6 +106,7 @@ struct RenderEnvironment {
   std::string field;                          ///< Of the scene: "light[0]".
   std::uint32_t first_light = 0;              ///< Index into RenderScene::lights.
   std::shared_ptr<const SkyPicture> picture;  ///< Null: alike in all directions, one light.
+  std::shared_ptr<const SkyTables> tables;    ///< Of the picture.
   double rotation = 0;                        ///< About +y, radians.
   bool visible = true;                        ///< To the eye.
 

@@ -45,6 +45,7 @@ struct WorkerOptions {
   }
   /// Of a scene's textures, in this process.
   TextureImport textures(const AssetNames& names) const { return textures_of(assets(names)); }
+  SkyImport skies(const AssetNames& names) const { return skies_of(assets(names)); }
   AssetReader assets(const AssetNames& names) const {
     return stored_assets(names, store, tell_damage);
   }

@@ -11,13 +11,13 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Outcome = tl::expected<ImportedScene, std::vector<Problem>>;
 
-Outcome import(v1::Scene message, AssetNames names, int of_objects, KnownMeshes meshes,
-               KnownTextures textures, const WorkerOptions& options,
-               const std::atomic<bool>& cancelled) {
+Outcome import(v1::Scene message, AssetNames names, int of_objects, KnownFiles known,
+               const WorkerOptions& options, const std::atomic<bool>& cancelled) {
   const auto start = Clock::now();
   auto compiled = compile_scene(message, options.assets(names),
-                                meshes.reusing(options.meshes(names, cancelled), names),
-                                textures.reusing(options.textures(names), names), cancelled);
+                                known.meshes.reusing(options.meshes(names, cancelled), names),
+                                known.textures.reusing(options.textures(names), names), cancelled,
+                                known.skies.reusing(options.skies(names), names));
   if (!compiled) return tl::unexpected(std::move(compiled.error()));
   ImportedScene result;
   const auto compiled_at = Clock::now();
@@ -33,32 +33,30 @@ Outcome import(v1::Scene message, AssetNames names, int of_objects, KnownMeshes 
   result.message = std::move(message);
   result.names = std::move(names);
   result.of_objects = of_objects;
-  result.meshes = std::move(meshes).asked();
-  result.textures = std::move(textures).asked();
+  result.known = {std::move(known.meshes).asked(), std::move(known.textures).asked(),
+                  std::move(known.skies).asked()};
   return result;
 }
 
 }  // namespace
 
-SceneImport::SceneImport(v1::Scene message, AssetNames names, int of_objects, KnownMeshes meshes,
-                         KnownTextures textures, const WorkerOptions& options,
-                         std::function<void()> done) {
-  outcome_ = std::async(
-      std::launch::async, [this, message = std::move(message), names = std::move(names), of_objects,
-                           meshes = std::move(meshes), textures = std::move(textures), &options,
-                           done = std::move(done)]() mutable {
-        // Also where something is thrown.
-        struct Last {
-          std::atomic<bool>& is_done;
-          const std::function<void()>& tell;
-          ~Last() {
-            is_done = true;
-            tell();
-          }
-        } const last{done_, done};
-        return import(std::move(message), std::move(names), of_objects, std::move(meshes),
-                      std::move(textures), options, cancelled_);
-      });
+SceneImport::SceneImport(v1::Scene message, AssetNames names, int of_objects, KnownFiles known,
+                         const WorkerOptions& options, std::function<void()> done) {
+  outcome_ = std::async(std::launch::async,
+                        [this, message = std::move(message), names = std::move(names), of_objects,
+                         known = std::move(known), &options, done = std::move(done)]() mutable {
+                          // Also where something is thrown.
+                          struct Last {
+                            std::atomic<bool>& is_done;
+                            const std::function<void()>& tell;
+                            ~Last() {
+                              is_done = true;
+                              tell();
+                            }
+                          } const last{done_, done};
+                          return import(std::move(message), std::move(names), of_objects,
+                                        std::move(known), options, cancelled_);
+                        });
 }
 
 SceneImport::~SceneImport() {

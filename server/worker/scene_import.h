@@ -13,17 +13,24 @@
 #include "server/worker/assets.h"
 #include "server/worker/job.h"
 #include "server/worker/known_meshes.h"
+#include "server/worker/known_skies.h"
 #include "server/worker/known_textures.h"
 
 namespace metamer::worker {
+
+/// What has been read of a scene's files.
+struct KnownFiles {
+  KnownMeshes meshes;
+  KnownTextures textures;
+  KnownSkies skies;
+};
 
 /// What a message and its files come to.
 struct ImportedScene {
   v1::Scene message;
   AssetNames names;
   int of_objects = 0;  ///< So many of them: objects may be made of these.
-  KnownMeshes meshes;  ///< Of its files.
-  KnownTextures textures;
+  KnownFiles known;
   std::unique_ptr<RenderScene> scene;  ///< In camera space.
   CameraSpace space;
   std::string objects_key;
@@ -34,10 +41,10 @@ struct ImportedScene {
 /// Compiles a scene on a thread of its own: meshes may take long, and others want the lane's.
 class SceneImport {
  public:
-  /// The first `of_objects` of the names are those that objects may be made of; of `meshes` and
-  /// `textures` those that are needed are not read again. Calls `done` from that thread.
-  SceneImport(v1::Scene message, AssetNames names, int of_objects, KnownMeshes meshes,
-              KnownTextures textures, const WorkerOptions& options, std::function<void()> done);
+  /// The first `of_objects` of the names are those that objects may be made of; what `known` has of
+  /// those that are needed is not read again. Calls `done` from that thread.
+  SceneImport(v1::Scene message, AssetNames names, int of_objects, KnownFiles known,
+              const WorkerOptions& options, std::function<void()> done);
   ~SceneImport();  ///< Waits until it is done.
 
   void cancel() { cancelled_ = true; }

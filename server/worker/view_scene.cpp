@@ -135,7 +135,8 @@ tl::expected<ViewScene::Change, ViewScene::Problems> ViewScene::change_camera(So
 tl::expected<ViewScene::Change, ViewScene::Problems> ViewScene::change_appearance(Source source) {
   auto compiled =
       compile_appearance(source.scene, options_.assets(source.names),
-                         now_.textures.reusing(options_.textures(source.names), source.names));
+                         now_.known.textures.reusing(options_.textures(source.names), source.names),
+                         now_.known.skies.reusing(options_.skies(source.names), source.names));
   if (!compiled) return tl::unexpected(std::move(compiled.error()));
   const AssetNames of_objects(source.names.begin(), source.names.begin() + source.of_objects);
   if (objects_key(source.scene, *compiled, of_objects) != now_.objects_key ||
@@ -167,9 +168,8 @@ void ViewScene::keep_objects(RenderScene& scene) {
 }
 
 void ViewScene::begin_import(Source source) {
-  import_ =
-      std::make_unique<SceneImport>(std::move(source.scene), std::move(source.names),
-                                    source.of_objects, now_.meshes, now_.textures, options_, wake_);
+  import_ = std::make_unique<SceneImport>(std::move(source.scene), std::move(source.names),
+                                          source.of_objects, now_.known, options_, wake_);
 }
 
 tl::expected<ImportedScene, ViewScene::Problems> ViewScene::end_import() {

@@ -98,8 +98,9 @@ class SceneSpectraReader {
 SceneSpectra scene_spectra(const v1::Scene& scene, const fs::path& folder) {
   SceneSpectraReader reader(folder);
   for (int i = 0; i < scene.light_size(); ++i)
-    reader.read(scene.light(i).spectrum(), scene.light(i).name(),
-                "light[" + std::to_string(i) + "].spectrum", SpectrumRole::emission);
+    if (scene.light(i).has_spectrum())
+      reader.read(scene.light(i).spectrum(), scene.light(i).name(),
+                  "light[" + std::to_string(i) + "].spectrum", SpectrumRole::emission);
   for (int i = 0; i < scene.material_size(); ++i) {
     const v1::Material& material = scene.material(i);
     const std::string field = "material[" + std::to_string(i) + "]";

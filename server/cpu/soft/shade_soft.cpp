@@ -57,7 +57,7 @@ void Shading::shade_by_sky(const Packet& packet, const Hits& hits, const Places&
     const Float8 weight = sample.weight * share;
     for (std::uint32_t part = 0; media_ != nullptr && part < sky.light_count(); ++part)
       shade_through(step_of(part), facing, ambient, sample.direction, far,
-                    weight * sample.radiance_of(part));
+                    weight * sky.radiance_of(sample, part));
     const Int8 lit = lit_by(step_of(0), sample.direction, far, facing);
     const Int8 wanted = lit | (ambient & sound);
     if (!any(wanted)) continue;
@@ -66,7 +66,7 @@ void Shading::shade_by_sky(const Packet& packet, const Hits& hits, const Places&
     const Lobes whole = evaluate_hits(step_of(0), wanted, lit, sample.direction, weight);
     for (std::uint32_t part = 0; part < sky.light_count(); ++part) {
       Lobes own = whole;
-      scale(own, sample.radiance_of(part));
+      scale(own, sky.radiance_of(sample, part));
       gather(step_of(part), own, wanted);
     }
   }

@@ -34,34 +34,8 @@ Sky::Sky(const RenderScene& scene)
       visible_(scene.environment->visible),
       cosine_(static_cast<float>(std::cos(scene.environment->rotation))),
       sine_(static_cast<float>(std::sin(scene.environment->rotation))),
-      picture_(scene.environment->picture) {
-  // What is not seen is light all the same: no sample may miss it.
-  for (std::uint32_t i = 0; i < light_count_; ++i)
-    luminances_.push_back(
-        std::max({scene.lights[first_light_ + i].luminance, 1e-3 / light_count_, 1e-30}));
-  if (!picture_) return;
-  const std::uint32_t width = picture_->width, height = picture_->height;
-  for (std::uint32_t y = 0; y <= height; ++y)
-    edges_.push_back(static_cast<float>(std::cos(y * std::numbers::pi / height)));
-  up_to_pixel_.resize(std::size_t{width} * height);
-  std::vector<double> rows;
-  for (std::uint32_t y = 0; y < height; ++y) {
-    double row = 0;
-    for (std::uint32_t x = 0; x < width; ++x) row += brightness({x, y});
-    double sum = 0;
-    for (std::uint32_t x = 0; x < width; ++x)
-      up_to_pixel_[std::size_t{y} * width + x] =
-          static_cast<float>((sum += brightness({x, y})) / (row > 0 ? row : 1));
-    rows.push_back(row * double{edges_[y] - edges_[y + 1]} * 2 * std::numbers::pi / width);
-    whole_ += rows.back();
-  }
-  double sum = 0;
-  for (const double row : rows) {
-    up_to_row_.push_back(static_cast<float>(sum / whole_));
-    sum += row;
-  }
-  up_to_row_.push_back(1);
-}
+      picture_(scene.environment->picture),
+      tables_(scene.environment->tables) {}
 
 /// The picture stands still; directions turn the other way.
 Direction Sky::turned(const Direction& d, float sine) const {
@@ -79,35 +53,31 @@ Sky::Place Sky::place_of(const Direction& direction) const {
           cell(polar, picture_->height)};
 }
 
-const float* Sky::radiance(const Direction& direction) const {
+const float* Sky::values(const Direction& direction) const {
   if (!picture_) return &alike;
   const Place place = place_of(direction);
   return picture_->at(place.x, place.y).data();
 }
 
-/// Its luminance, nearly; the choice of samples alone depends on it.
-double Sky::brightness(Place place) const {
-  const std::span<const float> values = picture_->at(place.x, place.y);
-  double sum = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) sum += luminances_[i] * double{values[i]};
-  return sum;
+double Sky::density(Place place) const {
+  return tables_->brightness(picture_->at(place.x, place.y)) / tables_->whole;
 }
-
-double Sky::density(Place place) const { return brightness(place) / whole_; }
 
 Sky::Found Sky::bright(float u, float v) const {
   const std::uint32_t width = picture_->width;
-  const auto row = std::upper_bound(up_to_row_.begin() + 1, up_to_row_.end() - 1, u);
-  const auto y = static_cast<std::uint32_t>(row - up_to_row_.begin()) - 1;
-  const float rest = (u - up_to_row_[y]) / std::max(up_to_row_[y + 1] - up_to_row_[y], 1e-30F);
-  const auto first = up_to_pixel_.begin() + std::size_t{y} * width;
+  const std::vector<float>&rows = tables_->up_to_row, &edges = tables_->edges;
+  const auto row = std::upper_bound(rows.begin() + 1, rows.end() - 1, u);
+  const auto y = static_cast<std::uint32_t>(row - rows.begin()) - 1;
+  const float rest = (u - rows[y]) / std::max(rows[y + 1] - rows[y], 1e-30F);
+  const auto first =
+      tables_->up_to_pixel.begin() + static_cast<std::ptrdiff_t>(std::size_t{y} * width);
   const auto pixel = std::upper_bound(first, first + width - 1, v);
   const auto x = static_cast<std::uint32_t>(pixel - first);
   const float before = x == 0 ? 0 : *(pixel - 1);
   const float across = (v - before) / std::max(*pixel - before, 1e-30F);
 
   // Even over the pixel's part of the sphere.
-  const float cosine = edges_[y] + std::clamp(rest, 0.0F, 1.0F) * (edges_[y + 1] - edges_[y]);
+  const float cosine = edges[y] + std::clamp(rest, 0.0F, 1.0F) * (edges[y + 1] - edges[y]);
   const float sine = std::sqrt(std::max(0.0F, 1 - cosine * cosine));
   const float longitude =
       two_pi *
@@ -126,7 +96,7 @@ void Sky::put_sample(const Direction& normal, std::uint32_t index, std::uint32_t
 
   // Where the sky is alike everywhere, the half that the normal points to is the picture.
   Direction direction;
-  const float* radiance = &alike;
+  const float* values = &alike;
   double density_there = 0.5 / std::numbers::pi;
   if (!by_picture)
     direction = about(normal, std::sqrt(std::max(u, 1e-12F)), v);
@@ -142,7 +112,7 @@ void Sky::put_sample(const Direction& normal, std::uint32_t index, std::uint32_t
       place = place_of(direction);
     }
     density_there = density(place);
-    radiance = picture_->at(place.x, place.y).data();
+    values = picture_->at(place.x, place.y).data();
   }
   const double cosine =
       double{normal[0] * direction[0] + normal[1] * direction[1] + normal[2] * direction[2]};
@@ -151,7 +121,7 @@ void Sky::put_sample(const Direction& normal, std::uint32_t index, std::uint32_t
   sample.direction.y[lane] = direction[1];
   sample.direction.z[lane] = direction[2];
   sample.weight[lane] = both > 0 ? static_cast<float>(1 / (std::numbers::pi * both)) : 0;
-  sample.radiance[lane] = radiance;
+  sample.values[lane] = values;
 }
 
 }  // namespace metamer::cpu::soft

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <vector>
+#include <memory>
 
 #include "server/cpu/lanes.h"
 #include "server/cpu/soft/pattern.h"
@@ -16,8 +16,10 @@ class Sky {
  public:
   explicit Sky(const RenderScene& scene);  ///< Which has an environment.
 
-  /// A radiance each for the lights of the environment, by their luminances.
-  const float* radiance(const std::array<float, 3>& direction) const;
+  /// What the picture has in a direction: a value each for the lights of the environment.
+  const float* values(const std::array<float, 3>& direction) const;
+  /// By a light's luminance.
+  float radiance(float value) const { return tables_ ? tables_->radiance(value) : value; }
   std::uint32_t first_light() const { return first_light_; }
   std::uint32_t light_count() const { return light_count_; }
   bool visible() const { return visible_; }
@@ -25,16 +27,15 @@ class Sky {
   struct Sample8 {
     Vec8 direction{};
     Float8 weight{};  ///< 1 / (π p) of the density p over solid angle.
-    std::array<const float*, lane_count> radiance{};
-
-    /// Of one light; lanes that were not set have none.
-    Float8 radiance_of(std::uint32_t part) const {
-      Float8 values{};
-      for (unsigned i = 0; i < lane_count; ++i)
-        if (radiance[i] != nullptr) values[i] = radiance[i][part];
-      return values;
-    }
+    std::array<const float*, lane_count> values{};
   };
+  /// Of one light; lanes that were not set have none.
+  Float8 radiance_of(const Sample8& sample, std::uint32_t part) const {
+    Float8 radiances{};
+    for (unsigned i = 0; i < lane_count; ++i)
+      if (sample.values[i] != nullptr) radiances[i] = radiance(sample.values[i][part]);
+    return radiances;
+  }
   /// Sample number `index` of what a point with this normal sees; `seed` is the lane's. Sets one
   /// lane.
   void put_sample(const std::array<float, 3>& normal, std::uint32_t index, std::uint32_t seed,
@@ -56,18 +57,11 @@ class Sky {
   double density(Place place) const;
   std::array<float, 3> turned(const std::array<float, 3>& direction, float sine) const;
 
-  double brightness(Place place) const;
-
   std::uint32_t first_light_, light_count_;
   bool visible_;
   float cosine_, sine_;  ///< Of the rotation.
   std::shared_ptr<const SkyPicture> picture_;
-  std::vector<double> luminances_;  ///< Of its lights.
-  // M. Pharr, W. Jakob and G. Humphreys (2023), 12.5: first a row, then a pixel in it.
-  std::vector<float> up_to_row_;    ///< Share of the light in the rows before it; height + 1.
-  std::vector<float> up_to_pixel_;  ///< Share of the row's light up to and with a pixel.
-  std::vector<float> edges_;        ///< cos θ where rows begin; height + 1.
-  double whole_ = 0;                ///< ∫ of the picture's brightness over the sphere.
+  std::shared_ptr<const SkyTables> tables_;
 };
 
 }  // namespace metamer::cpu::soft

@@ -78,9 +78,9 @@ void SoftLights::add(const Packet& packet, const Seen& seen, Workspace& workspac
       const Surface& surface = surfaces_[static_cast<std::size_t>(seen.surface[i])];
       add_white(packet, i, surface.light, surface.shape.radiance(), workspace);
     } else if (seen.sky[i]) {
-      const float* radiance = sky_->radiance(lane_of(packet.direction, i));
+      const float* values = sky_->values(lane_of(packet.direction, i));
       for (std::uint32_t part = 0; part < sky_->light_count(); ++part)
-        add_white(packet, i, sky_->first_light() + part, radiance[part], workspace);
+        add_white(packet, i, sky_->first_light() + part, sky_->radiance(values[part]), workspace);
     }
   }
 }
@@ -128,7 +128,8 @@ std::vector<double> SoftLights::on_surface(const EmbreeScene& geometry, const Ve
     const Float8 lit = by_cosine(
         sample.direction, metamer::broadcast(std::numeric_limits<float>::max()), sample.weight);
     for (std::uint32_t part = 0; part < sky_->light_count(); ++part)
-      sums[sky_->first_light() + part] += double{sum(lit * sample.radiance_of(part))} / points;
+      sums[sky_->first_light() + part] +=
+          double{sum(lit * sky_->radiance_of(sample, part))} / points;
   }
   return sums;
 }

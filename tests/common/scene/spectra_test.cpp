@@ -185,8 +185,8 @@ TEST(SceneObserver, IsTheCiesOrOnesOwnAndNotBoth) {
 
 TEST(SceneSpectrum, SourcesThatAreWrongByThemselves) {
   EXPECT_EQ(light_spectrum(""),
-            Strings({"light[0].spectrum: spectrum needs a standard, a file, a constant, samples "
-                     "or lines"}));
+            Strings({"light[0].spectrum: spectrum needs a standard, a file, a constant, samples, "
+                     "sunlight or lines"}));
   EXPECT_EQ(diffuse(""), Strings({"material[0].diffuse: spectrum needs a standard, a file, a "
                                   "constant or samples"}));
   EXPECT_EQ(light_spectrum("standard: \"d65\""),

@@ -1,12 +1,14 @@
-#include "server/scene/environment.h"
+#include "server/scene/environment/environment.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "common/color/rgb_reflectance.h"
+#include "common/color/sunlight.h"
 #include "common/color/xyz.h"
 #include "common/scene/findings.h"
+#include "server/scene/environment/daylight_sky.h"
 
 namespace metamer {
 namespace {
@@ -37,16 +39,22 @@ Spectrum hat(const std::vector<double>& nm, std::size_t band) {
   return {{before, at, next > 0 ? next : 2 * at - before}, {0, 1, 0}};
 }
 
-/// By which spectra a picture's values weigh the light's own.
-std::vector<Spectrum> filters_of(const SkyPicture& picture) {
-  std::vector<Spectrum> filters;
-  for (std::size_t i = 0; i < picture.parts(); ++i)
-    filters.push_back(picture.nm.empty() ? reflectance_of_rgb(primaries[i]) : hat(picture.nm, i));
-  return filters;
-}
+/// What a picture's values weigh.
+struct Parts {
+  std::vector<Spectrum> spectra;
+  std::vector<std::string> names;
+};
 
-std::string part_name(const SkyPicture& picture, std::size_t part) {
-  return picture.nm.empty() ? part_names[part] : " (" + number_text(picture.nm[part]) + " nm)";
+/// Of a file's picture, by the light's own spectrum.
+Parts parts_of(const SkyPicture& picture, const Spectrum& own) {
+  Parts parts;
+  for (std::size_t i = 0; i < picture.parts(); ++i) {
+    const bool is_rgb = picture.nm.empty();
+    parts.spectra.push_back(
+        filtered(own, is_rgb ? reflectance_of_rgb(primaries[i]) : hat(picture.nm, i)));
+    parts.names.push_back(is_rgb ? part_names[i] : " (" + number_text(picture.nm[i]) + " nm)");
+  }
+  return parts;
 }
 
 /// The shares of the parts in their luminance.
@@ -78,14 +86,13 @@ double ground_luminance(const SkyPicture& picture, const std::vector<double>& sh
 }
 
 /// Error: it can't be scaled so that the ground has Y = 1.
-Result<void> scale_to_ground(SkyPicture& picture, double ground) {
+Result<void> check_ground(const SkyPicture& picture, double ground) {
   constexpr double most = 1e30;
   const float brightest = *std::max_element(picture.values.begin(), picture.values.end());
   if (!(brightest <= most * ground))
     return problem(
         "nothing shines from above the horizon, where its luminance is measured: a perfect white "
         "on the ground would be black");
-  for (float& value : picture.values) value = static_cast<float>(double{value} / ground);
   return {};
 }
 
@@ -104,48 +111,65 @@ RenderLight whole_light(const v1::Light& light, const std::string& field, std::u
           .visible = !light.has_visible() || light.visible()};
 }
 
-/// Splits the light's spectrum, and measures what the whole gives.
-Result<void> add_picture(SkyPicture picture, const RenderLight& whole, RenderScene& scene) {
-  std::vector<Spectrum> parts;
-  for (const Spectrum& filter : filters_of(picture))
-    parts.push_back(filtered(scene.emissions[whole.emission], filter));
-  const std::vector<double> shares = shares_of(parts, scene.observer);
-  if (auto good = scale_to_ground(picture, ground_luminance(picture, shares)); !good) return good;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
+/// Splits the light, and measures what the whole gives.
+Result<void> add_picture(std::shared_ptr<const SkyPicture> picture, Parts parts,
+                         const RenderLight& whole, RenderScene& scene) {
+  const std::vector<double> shares = shares_of(parts.spectra, scene.observer);
+  const double ground = ground_luminance(*picture, shares);
+  if (auto good = check_ground(*picture, ground); !good) return good;
+  std::vector<double> luminances;
+  for (std::size_t i = 0; i < parts.spectra.size(); ++i) {
     RenderLight& part = scene.lights.emplace_back(whole);
-    part.name += part_name(picture, i);
-    part.luminance *= shares[i];
+    part.name += parts.names[i];
+    luminances.push_back(part.luminance *= shares[i]);
     part.emission = static_cast<std::uint32_t>(scene.emissions.size());
-    scene.emissions.push_back(std::move(parts[i]));
+    scene.emissions.push_back(std::move(parts.spectra[i]));
     scene.emission_fields.push_back(scene.emission_fields[whole.emission]);
   }
-  scene.environment->picture = std::make_shared<const SkyPicture>(std::move(picture));
+  scene.environment->tables =
+      std::make_shared<const SkyTables>(sky_tables(*picture, std::move(luminances), ground));
+  scene.environment->picture = std::move(picture);
   return {};
+}
+
+/// A sky by day, whose spectra are its own.
+Result<void> add_daylight(const v1::Light::Sky& sky, const std::string& field, RenderLight whole,
+                          RenderScene& scene) {
+  const DaylightSky model(sky.has_turbidity() ? sky.turbidity() : usual_turbidity,
+                          sky.has_elevation() ? sky.elevation() : usual_elevation);
+  PaintedSky painted = paint(model, sky.azimuth() * std::numbers::pi / 180);
+  whole.emission = whole.own_emission = static_cast<std::uint32_t>(scene.emissions.size());
+  scene.emissions.push_back(std::move(painted.whole));
+  scene.emission_fields.push_back(field);
+  return add_picture(std::make_shared<const SkyPicture>(std::move(painted.picture)),
+                     {std::move(painted.parts), {" (1)", " (2)", " (3)"}}, whole, scene);
 }
 
 }  // namespace
 
 Result<void> add_environment(const v1::Light& light, const std::string& field,
-                             std::uint32_t emission, const AssetReader& assets,
-                             RenderScene& scene) {
+                             std::uint32_t emission, const SkyImport& skies, RenderScene& scene) {
   const RenderLight whole = whole_light(light, field, emission);
   scene.environment =
       RenderEnvironment{.field = field,
                         .first_light = static_cast<std::uint32_t>(scene.lights.size()),
                         .picture = {},
+                        .tables = {},
                         .rotation = light.environment().rotation() * std::numbers::pi / 180,
                         .visible = whole.visible};
+  if (light.environment().has_sky())
+    return add_daylight(light.environment().sky(), field + ".environment.sky", whole, scene);
   const std::string& file = light.environment().file();
   if (file.empty()) {
     scene.lights.push_back(whole);
     return {};
   }
   const std::string file_field = field + ".environment.file";
-  return assets(file)
-      .and_then([&](const std::string& bytes) { return read_sky_picture(bytes, file); })
-      .and_then([&](ReadSky&& read) {
-        for (const std::string& note : read.notes) scene.notices.push_back({file_field, note});
-        return add_picture(std::move(read.picture), whole, scene);
+  return skies(file)
+      .and_then([&](const std::shared_ptr<const ReadSky>& read) {
+        for (const std::string& note : read->notes) scene.notices.push_back({file_field, note});
+        return add_picture({read, &read->picture},
+                           parts_of(read->picture, scene.emissions[emission]), whole, scene);
       })
       .map_error([&](Problem&& wrong) {
         wrong.field = file_field;

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "common/problem.h"
+#include "common/scene/validate.h"
 
 namespace metamer {
 
@@ -37,5 +40,9 @@ struct ReadSky {
 /// name the file: what read_exr() refuses, no R G B, Y or radiance by bands (max_sky_bands; means
 /// as spectral_exr.h has them), a pixel that is negative or not finite, a picture that is black.
 Result<ReadSky> read_sky_picture(const std::string& bytes, const std::string& name);
+
+/// The picture of an environment's file.
+using SkyImport = std::function<Result<std::shared_ptr<const ReadSky>>(const std::string& file)>;
+SkyImport skies_of(const AssetReader& assets);
 
 }  // namespace metamer

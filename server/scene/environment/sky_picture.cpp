@@ -1,4 +1,4 @@
-#include "server/scene/sky_picture.h"
+#include "server/scene/environment/sky_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -209,6 +209,14 @@ Result<ReadSky> read_sky_picture(const std::string& bytes, const std::string& na
   if (std::all_of(values.begin(), values.end(), [](float value) { return value <= 0; }))
     return sky_problem(name, "the picture is black: no light comes from it");
   return result;
+}
+
+SkyImport skies_of(const AssetReader& assets) {
+  return [assets](const std::string& file) -> Result<std::shared_ptr<const ReadSky>> {
+    return assets(file)
+        .and_then([&](const std::string& bytes) { return read_sky_picture(bytes, file); })
+        .map([](ReadSky&& read) { return std::make_shared<const ReadSky>(std::move(read)); });
+  };
 }
 
 }  // namespace metamer
