@@ -68,6 +68,9 @@ void check_settings(const v1::Settings& settings, const std::string& field, Find
   check_range(full.spp(), 1, limits::max_spp, field + ".spp", findings);
   check_range(full.light_samples(), 1, limits::max_light_samples, field + ".light_samples",
               findings);
+  check_range(full.bounces(), 0, limits::max_bounces, field + ".bounces", findings);
+  check_range(full.bounce_samples(), 1, limits::max_bounce_samples, field + ".bounce_samples",
+              findings);
   check_range(full.depth(), 0, limits::max_depth, field + ".depth", findings);
   check_range(full.cutoff(), limits::min_cutoff, 1, field + ".cutoff", findings);
   check_range(full.threads(), 0, limits::max_threads, field + ".threads", findings);

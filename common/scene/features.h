@@ -8,19 +8,20 @@ namespace metamer {
 
 /// What a scene and its settings can ask of a renderer and of a method, and not every one has.
 enum class Feature : std::uint8_t {
-  mirrors,         ///< Light that is reflected before it meets the surface that is seen.
-  exact_fresnel,   ///< Fresnel terms of n and k, over nodes of the cosine.
-  anisotropy,      ///< Models that look at tangents.
-  corner_shading,  ///< Models at triangles' corners or middles: CONSTANT, GOURAUD, QUADRATIC.
-  factors,         ///< What pixels are made of before any spectrum, kept for relighting.
-  textures,        ///< Pictures on surfaces.
-  area_lights,     ///< Lights that are surfaces: quads, disks, spheres.
-  environment,     ///< Light from all around.
-  planes,          ///< Objects that go on to the horizon.
-  fluorescence,    ///< Light that becomes light of longer wavelengths at a surface.
-  multi_pass,      ///< `point` by four wavelengths at a time.
-  transmission,    ///< Light that is refracted, and absorbed on its way.
-  lens,            ///< Cameras that are no pinholes.
+  mirrors,           ///< Light that is reflected before it meets the surface that is seen.
+  exact_fresnel,     ///< Fresnel terms of n and k, over nodes of the cosine.
+  anisotropy,        ///< Models that look at tangents.
+  corner_shading,    ///< Models at triangles' corners or middles: CONSTANT, GOURAUD, QUADRATIC.
+  factors,           ///< What pixels are made of before any spectrum, kept for relighting.
+  textures,          ///< Pictures on surfaces.
+  area_lights,       ///< Lights that are surfaces: quads, disks, spheres.
+  environment,       ///< Light from all around.
+  planes,            ///< Objects that go on to the horizon.
+  fluorescence,      ///< Light that becomes light of longer wavelengths at a surface.
+  multi_pass,        ///< `point` by four wavelengths at a time.
+  transmission,      ///< Light that is refracted, and absorbed on its way.
+  lens,              ///< Cameras that are no pinholes.
+  inter_reflection,  ///< Diffuse light that surfaces reflect to each other.
 };
 
 /// Feature by feature, in the order of the enumeration: its name, as on the wire.
@@ -37,7 +38,7 @@ class Features {
   }
   static constexpr Features all() {
     Features set{};
-    set.bits_ = bit(Feature::lens) * 2 - 1;
+    set.bits_ = bit(Feature::inter_reflection) * 2 - 1;
     return set;
   }
 

@@ -12,6 +12,8 @@ inline constexpr std::uint64_t max_view_pixels = 4u << 20;  ///< 12 MiB a frame;
 inline constexpr std::uint32_t max_spp = 1024;              ///< A minute a tile is not a preview.
 inline constexpr std::uint32_t max_depth = 64;  ///< 0.9⁶⁴ = 0.1 %: nothing more to see.
 inline constexpr std::uint32_t max_light_samples = 256;  ///< As many again as max_spp allows.
+inline constexpr std::uint32_t max_bounces = 16;  ///< 0.8¹⁶ = 3 % of a white room's light is left.
+inline constexpr std::uint32_t max_bounce_samples = 256;  ///< As of lights.
 inline constexpr std::uint32_t max_threads = 256;
 inline constexpr std::uint32_t max_bases = 16;   ///< Beyond, point sampling is cheaper and exact.
 inline constexpr std::uint32_t max_fitted = 64;  ///< Beyond, uniform wavelengths do as well.

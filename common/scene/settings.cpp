@@ -22,6 +22,8 @@ v1::Settings with_defaults(const v1::Settings& settings) {
   if (!full.has_depth()) full.set_depth(4);
   if (!full.has_cutoff()) full.set_cutoff(1e-3);
   if (!full.has_light_samples()) full.set_light_samples(4);
+  if (!full.has_bounces()) full.set_bounces(0);
+  if (!full.has_bounce_samples()) full.set_bounce_samples(4);
   if (!full.has_tile_size()) full.set_tile_size(16);
 
   take_older_goal(full);

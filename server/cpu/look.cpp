@@ -42,14 +42,10 @@ std::vector<double> light_on(const RenderScene& scene, const EmbreeScene& geomet
 /// The one sample in a pixel's middle, through that of the lens, with all that it meets.
 Gather gather_middle(const RenderScene& scene, const EmbreeScene& geometry, const v1::Plan& plan,
                      std::uint32_t x, std::uint32_t y) {
-  const Tracer tracer(scene, geometry,
-                      {plan.width(),
-                       plan.height(),
-                       plan.depth(),
-                       {SamplePoint{0.5f, 0.5f}},
-                       static_cast<float>(plan.cutoff()),
-                       plan.light_samples(),
-                       false});
+  Tracer::Frame frame =
+      Tracer::frame_of(plan, plan.width(), plan.height(), {SamplePoint{0.5f, 0.5f}});
+  frame.lens = false;
+  const Tracer tracer(scene, geometry, frame);
   auto workspace = tracer.make_workspace();
   const std::uint32_t across = x % tracer.block_width(), down = y % tracer.block_height();
   tracer.gather_block(x - across, y - down, workspace);

@@ -14,6 +14,11 @@ bool is_one(const Spectrum& n) {
   return std::all_of(n.values.begin(), n.values.end(), [](double value) { return value == 1; });
 }
 
+const RenderMedium& air() {
+  static const RenderMedium medium;
+  return medium;
+}
+
 void copy_lane(Vec8& to, const Vec8& from, unsigned lane) {
   to.x[lane] = from.x[lane];
   to.y[lane] = from.y[lane];
@@ -58,7 +63,7 @@ void Media::rank(const RenderScene& scene) {
   std::map<std::uint32_t, std::uint8_t> rank_of;
   for (const std::uint32_t number : used) {
     rank_of[number] = static_cast<std::uint8_t>(of_.size());
-    const RenderMedium& medium = scene.media[number];
+    const RenderMedium& medium = scene.media.empty() ? air() : scene.media[number];
     const bool absorbing = medium.optical_depth > 0;
     of_.push_back({&medium,
                    absorbing ? static_cast<float>(medium.optical_depth / medium.thickness) : 0.0f,

@@ -48,7 +48,7 @@ using MediaStacks = std::array<MediaStack, 8>;
 /// between two. Immutable, shared by threads.
 class Media {
  public:
-  /// The references must outlive it. The scene has media.
+  /// The references must outlive it. Of a scene without clear objects all is air.
   Media(const RenderScene& scene, const EmbreeScene& geometry);
 
   /// What the eye is in.

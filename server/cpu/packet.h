@@ -19,10 +19,11 @@ struct Packet {
   Float8 travelled{};                         ///< From the eye to `hit`.
   std::array<std::uint32_t, 8> pixel{};       ///< Index into Workspace::gathers.
   std::array<std::uint32_t, 8> chain{};       ///< Of that pixel's gather.
-  std::array<std::uint32_t, 8> seed{};        ///< Of the pixel, for points on lights.
-  std::array<std::uint32_t, 8> sample{};      ///< Number of the pixel's sample.
+  std::array<std::uint32_t, 8> seed{};        ///< Of the pixel, for what is sampled.
+  std::array<std::uint32_t, 8> sample{};      ///< Number of the path among those of that seed.
   bool from_eye = true;                       ///< No mirror met yet.
   bool from_lens = false;                     ///< Each from a point of its own of the lens.
+  bool diffused = false;                      ///< A surface has scattered it.
   Vec8 hit{};                                 ///< Where the ray hit.
   Vec8 point{};                               ///< The same, lifted off the surface.
   /// What each ray is in, where the scene has clear objects; else null.

@@ -53,7 +53,10 @@ bool Geometry::prepare(const std::atomic<bool>& cancelled) {
 TracedPixels TracingProbe::trace(const v1::Plan& plan, PixelRun run,
                                  const std::atomic<bool>& stopped,
                                  std::atomic<std::uint64_t>& work) const {
-  const Tracer tracer(geometry_->scene(), geometry_->embree(), plan);
+  Tracer::Frame frame =
+      Tracer::frame_of(plan, plan.width(), plan.height(), sample_pattern(plan.spp()));
+  frame.seed = run.seed;
+  const Tracer tracer(geometry_->scene(), geometry_->embree(), frame);
   auto workspace = tracer.make_workspace();
   TracedPixels pixels;
   const std::uint32_t block = tracer.block_width() * tracer.block_height();
@@ -71,6 +74,7 @@ TracedPixels TracingProbe::trace(const v1::Plan& plan, PixelRun run,
       gather(even_place(run.first + k, plan));
     first_round = thread_seconds() - start;
   }
+  workspace.rays = 0;
   const double start = thread_seconds();
   for (std::uint32_t k = run.first; k < run.first + run.count && !stopped;
        k += run.random ? 1 : block) {
@@ -81,8 +85,9 @@ TracedPixels TracingProbe::trace(const v1::Plan& plan, PixelRun run,
         pixels.gathers.push_back(workspace.gathers[i]);
     ++work;
   }
-  pixels.seconds = std::min(first_round, thread_seconds() - start) /
-                   static_cast<double>(std::max<std::size_t>(1, pixels.gathers.size()));
+  const auto count = static_cast<double>(std::max<std::size_t>(1, pixels.gathers.size()));
+  pixels.seconds = std::min(first_round, thread_seconds() - start) / count;
+  pixels.rays = static_cast<double>(workspace.rays) / count;
   return pixels;
 }
 

@@ -15,13 +15,14 @@ constexpr unsigned most_surfaces = 1024;
 }  // namespace
 
 RayTree::RayTree(const RenderScene& scene, const EmbreeScene& geometry, const Media& media,
-                 const Shading& shading, unsigned depth, float cutoff)
+                 const Shading& shading, unsigned depth, float cutoff, const Diffusion& diffusion)
     : scene_(scene),
       geometry_(geometry),
       media_(media),
       shading_(shading),
       depth_(depth),
-      cutoff_(cutoff) {}
+      cutoff_(cutoff),
+      diffusion_(diffusion) {}
 
 void RayTree::trace(const Packet& camera, Workspace& workspace) const {
   workspace.camera_rays += count(camera.active);
@@ -62,6 +63,7 @@ void RayTree::follow(Branch& branch, std::vector<Branch>& stack, Workspace& work
   shaded.active = shaded_lanes(branch, hits, crossing, crossing.passed);
   shaded.inside = &branch.inside;
   if (any(shaded.active)) shading_.shade(shaded, hits, workspace);
+  if (branch.bounces < diffusion_.bounces) diffuse(branch, shaded, hits, stack, workspace);
 
   Children children = children_of(branch);
   split(branch, hits, crossing, children, workspace);
@@ -94,9 +96,11 @@ void RayTree::push_all(Children& children, std::vector<Branch>& stack, Workspace
   push(children.reflected, stack, workspace);
 }
 
-/// What shines itself, through what absorbs before it; all of it where that has no end.
+/// What shines itself, through what absorbs before it; all of it where that has no end. A surface
+/// that scatters has looked at it already.
 void RayTree::see(const Branch& branch, Hits& hits, Workspace& workspace) const {
   soft::SoftLights::Seen seen = shading_.soft().find(branch.packet, hits);
+  if (branch.packet.diffused) return;
   Branch seeing = branch;
   Packet& packet = seeing.packet;
   packet.active = seen.surface >= 0;
@@ -208,7 +212,8 @@ void RayTree::refract_at(const Media::Interface& interface, const Branch& branch
   };
   const auto weigh = [&](Branch& child, FactorKind kind, float share) {
     child.importance[lane] *= share;
-    if (child.importance[lane] * packet.throughput[lane] < cutoff_) return;  // push() ends it
+    if (child.importance[lane] * packet.throughput[lane] < cutoff_ * child.share)
+      return;  // push() ends it
     child.packet.chain[lane] = gather.chain(packet.chain[lane], {kind, interface.number, cosine});
   };
   if (parts != Parts::transmitted) {
@@ -219,6 +224,21 @@ void RayTree::refract_at(const Media::Interface& interface, const Branch& branch
   go_on(children.transmitted, bent.transmitted, crossing.beyond);
   children.transmitted.inside[lane] = crossing.inside[lane];
   weigh(children.transmitted, FactorKind::transmit, 1 - bent.fresnel);
+}
+
+/// To where the diffuse light of the lanes comes from, but for lights.
+void RayTree::diffuse(const Branch& branch, const Packet& shaded, const Hits& hits,
+                      std::vector<Branch>& stack, Workspace& workspace) const {
+  const std::uint32_t ways = branch.bounces == 0 ? diffusion_.samples : 1;
+  for (std::uint32_t way = 0; way < ways; ++way) {
+    Branch child = branch;
+    child.packet = shading_.diffused(shaded, hits, way, ways, workspace);
+    child.from = branch.packet.hit;
+    child.surfaces = branch.surfaces + 1;
+    child.bounces = branch.bounces + 1;
+    child.share /= static_cast<float>(ways);
+    push(child, stack, workspace);
+  }
 }
 
 /// The same as Tracer's, where nothing is clear.
@@ -251,7 +271,8 @@ void RayTree::push(Branch& child, std::vector<Branch>& stack, Workspace& workspa
   for (unsigned i = 0; i < lane_count; ++i) {
     if (!active[i]) continue;
     const bool is_long = child.surfaces >= most_surfaces;
-    if (!is_long && child.importance[i] * child.packet.throughput[i] >= cutoff_) continue;
+    if (!is_long && child.importance[i] * child.packet.throughput[i] >= cutoff_ * child.share)
+      continue;
     end(child, i, is_long ? workspace.beyond_depth : workspace.below_cutoff);
     active[i] = 0;
   }

@@ -6,7 +6,14 @@
 
 namespace metamer::cpu {
 
-/// Follows rays that split at clear surfaces: a tree of paths, by a stack of packets. What is
+/// Diffuse reflections between surfaces.
+struct Diffusion {
+  std::uint32_t bounces = 0;  ///< That a path may take.
+  std::uint32_t samples = 1;  ///< Ways on from the first; from others one.
+};
+
+/// Follows rays that split at clear surfaces, and where light is diffuse: a tree of paths, by a
+/// stack of packets. What is
 /// carried is radiance by n², which refraction leaves as it is: in a picture that is taken within a
 /// medium it is what an eye in air would see if nothing were reflected at the way out. Surfaces
 /// within a medium reflect as they do in air; a clear surface's own model sees light from outside
@@ -15,7 +22,7 @@ class RayTree {
  public:
   /// The references must outlive it.
   RayTree(const RenderScene& scene, const EmbreeScene& geometry, const Media& media,
-          const Shading& shading, unsigned depth, float cutoff);
+          const Shading& shading, unsigned depth, float cutoff, const Diffusion& diffusion);
 
   /// `camera` rays, whose light goes into `workspace.gathers`.
   void trace(const Packet& camera, Workspace& workspace) const;
@@ -30,6 +37,8 @@ class RayTree {
     Int8 bundle = Int8{} - 1;                   ///< Of wavelengths; -1: all of them.
     unsigned depth = 0;                         ///< Reflections and refractions so far.
     unsigned surfaces = 0;                      ///< With those that changed nothing.
+    unsigned bounces = 0;                       ///< Diffuse reflections so far.
+    float share = 1;                            ///< Of the ways that the camera ray has gone.
   };
   /// Where the paths of a branch go on.
   struct Children {
@@ -51,6 +60,8 @@ class RayTree {
   void refract_at(const Media::Interface& interface, const Branch& branch, const Hits& hits,
                   const Media::Crossing& crossing, unsigned lane, Children& children,
                   Workspace& workspace, Parts parts) const;
+  void diffuse(const Branch& branch, const Packet& shaded, const Hits& hits,
+               std::vector<Branch>& stack, Workspace& workspace) const;
   void mirror(const Branch& branch, const Hits& hits, unsigned lane, Children& children,
               Workspace& workspace) const;
   static void end(const Branch& branch, unsigned lane, double& sum);
@@ -64,6 +75,7 @@ class RayTree {
   const Shading& shading_;
   unsigned depth_;
   float cutoff_;
+  Diffusion diffusion_;
 };
 
 }  // namespace metamer::cpu

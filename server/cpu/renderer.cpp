@@ -59,8 +59,7 @@ class RayTracer : public Renderer {
     shares_.resize(plan_->threads());
     tracer_.emplace(
         scene_, geometry_->embree(),
-        Tracer::Frame{picture_.film.width, picture_.film.height, plan_->depth(), picture_.samples,
-                      static_cast<float>(plan_->cutoff()), plan_->light_samples()});
+        Tracer::frame_of(*plan_, picture_.film.width, picture_.film.height, picture_.samples));
   }
 
   /// Each thread takes the next tile, so that they are begun in the order that was asked for.

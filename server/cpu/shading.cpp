@@ -166,19 +166,26 @@ Shading::Lobes Shading::evaluate(const RenderMaterial& material, const Angles& a
 /// picture.
 [[gnu::flatten]] Shading::Lobes Shading::evaluate_hits(const Step& step, Int8 lanes, Int8 lit,
                                                        const Vec8& to_light, Float8 weight) const {
-  Lobes lobes{};
-  if (!any(lanes)) return lobes;
+  if (!any(lanes)) return Lobes{};
   const Hits& hits = step.hits;
   Angles angles = shared::angles_of(
       hits.normal, hits.tangent, to_light, step.packet.direction * metamer::broadcast(-1),
       lights_[step.light].solid_angle, needed_.azimuth, needed_.tangent);
   angles.n_dot_l = select(lit, angles.n_dot_l, Float8{});
+  Lobes lobes = evaluate_each(hits, lanes, angles, step.workspace);
+  scale(lobes, select(lanes, weight * step.packet.throughput, Float8{}));
+  return lobes;
+}
+
+Shading::Lobes Shading::evaluate_each(const Hits& hits, Int8 lanes, const Angles& angles,
+                                      Workspace& workspace) const {
+  Lobes lobes{};
   Int8 left = lanes;
   for (int first = 0; first < lane_count; ++first) {
     if (!left[first]) continue;
     const Int8 same = left & (hits.material == hits.material[first]);
     const Lobes own = evaluate(scene_.materials[static_cast<std::size_t>(hits.material[first])],
-                               angles, step.workspace);
+                               angles, workspace);
     lobes.diffuse = select(same, own.diffuse, lobes.diffuse);
     lobes.specular = select(same, own.specular, lobes.specular);
     lobes.white = select(same, own.white, lobes.white);
@@ -186,7 +193,6 @@ Shading::Lobes Shading::evaluate(const RenderMaterial& material, const Angles& a
     lobes.cosine = select(same, own.cosine, lobes.cosine);
     left &= ~same;
   }
-  scale(lobes, select(lanes, weight * step.packet.throughput, Float8{}));
   return lobes;
 }
 
@@ -251,6 +257,8 @@ void Shading::gather_fresnel(const Step& step, int lane, float cosine, float wei
 /// Adds weighted lobes where they are gathered; the lanes that have none hold zeros.
 void Shading::gather(const Step& step, Lobes lobes, Int8 lanes) const {
   Workspace& workspace = step.workspace;
+  // What a highlight throws on a surface is not looked for: it would take too many ways to meet it.
+  if (step.packet.diffused) lobes.specular = lobes.white = lobes.fresnel = Float8{};
   if (texturing_.is_needed()) {
     for (const TextureShare& share : workspace.texture_shares)
       workspace.gathers[step.packet.pixel[share.lane]].weights(share.surface, step.light).diffuse +=

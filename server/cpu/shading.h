@@ -25,6 +25,12 @@ class Shading {
           std::uint32_t light_samples, const Media* media = nullptr);
 
   void shade(const Packet& packet, const Hits& hits, Workspace& workspace) const;
+  /// The rays to where the diffuse light of the active lanes comes from that is no light's own: the
+  /// `way`-th of `ways` that share it. They are chosen by the cosine of their angle to the normal,
+  /// and weighed by the model; the one spectrum of a texture by its share. Lanes that scatter
+  /// nothing are not active there.
+  Packet diffused(const Packet& packet, const Hits& hits, std::uint32_t way, std::uint32_t ways,
+                  Workspace& workspace) const;
   const soft::SoftLights& soft() const { return soft_; }
 
  private:
@@ -58,6 +64,7 @@ class Shading {
                   Workspace& workspace) const;
   void shade_by_sky(const Packet& packet, const Hits& hits, const Places& places, Int8 ambient,
                     Workspace& workspace) const;
+  std::uint32_t light_samples(const Packet& packet) const;
   Int8 lit_by(const Step& step, const Vec8& direction, Float8 reach, Int8 lanes) const;
   Places find_places(const Packet& packet, const Hits& hits, Workspace& workspace) const;
   Int8 ambient_lanes(const Hits& hits, Int8 active) const;
@@ -67,6 +74,10 @@ class Shading {
   Lobes evaluate(const RenderMaterial& material, const Angles& angles, Workspace& workspace) const;
   Lobes evaluate_hits(const Step& step, Int8 lanes, Int8 lit, const Vec8& to_light,
                       Float8 weight) const;
+  Lobes evaluate_each(const Hits& hits, Int8 lanes, const Angles& angles,
+                      Workspace& workspace) const;
+  Float8 scattered(const Packet& packet, const Hits& hits, const Vec8& direction,
+                   Workspace& workspace) const;
   void interpolate(const Step& step, Int8 lanes, Lobes& lobes) const;
   void gather(const Step& step, Lobes lobes, Int8 lanes) const;
   static void scale(Lobes& lobes, Float8 factor);

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <array>
+#include <optional>
+
+#include "common/scene/limits.h"
 #include "server/cpu/embree_scene.h"
 #include "server/cpu/packet.h"
 
@@ -20,7 +24,16 @@ class Texturing {
   /// is in workspace.texture_shares then.
   Float8 divide(const Packet& packet, const Hits& hits, Workspace& workspace) const;
 
+  /// The material whose diffuse spectrum a lane has: its own, or with the probability of its share
+  /// one of the texture's; `u` in [0, 1) says which. Nothing: the texture leaves it dark there.
+  std::optional<std::uint32_t> choose(const Packet& packet, const Hits& hits, unsigned lane,
+                                      float u) const;
+
  private:
+  using Weights = std::array<float, limits::max_texture_spectra>;
+  Weights weights(const RenderTexture& texture, const Packet& packet, const Hits& hits,
+                  unsigned lane) const;
+
   const RenderScene& scene_;
   const EmbreeScene& geometry_;
   float footprint_;

@@ -19,31 +19,47 @@ std::pair<std::uint32_t, std::uint32_t> block_size(std::size_t spp) {
   return {1, 1};
 }
 
-std::optional<Media> make_media(const RenderScene& scene, const EmbreeScene& geometry) {
-  if (scene.interfaces.empty()) return {};
+/// Of what rays split in.
+std::optional<Media> make_media(const RenderScene& scene, const EmbreeScene& geometry,
+                                const Diffusion& diffusion) {
+  if (scene.interfaces.empty() && diffusion.bounces == 0) return {};
   return Media(scene, geometry);
 }
 
 }  // namespace
 
+Tracer::Frame Tracer::frame_of(const v1::Plan& plan, std::uint32_t width, std::uint32_t height,
+                               std::vector<SamplePoint> samples) {
+  return {width,
+          height,
+          plan.depth(),
+          std::move(samples),
+          static_cast<float>(plan.cutoff()),
+          plan.light_samples(),
+          {plan.bounces(), plan.bounce_samples()}};
+}
+
 Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const v1::Plan& plan)
     : Tracer(scene, geometry,
-             Frame{plan.width(), plan.height(), plan.depth(), sample_pattern(plan.spp()),
-                   static_cast<float>(plan.cutoff()), plan.light_samples()}) {}
+             frame_of(plan, plan.width(), plan.height(), sample_pattern(plan.spp()))) {}
 
 Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const Frame& frame)
     : scene_(scene),
       geometry_(geometry),
-      media_(make_media(scene, geometry)),
+      media_(make_media(scene, geometry, frame.diffusion)),
       shading_(
           scene, geometry,
           static_cast<float>(2 * scene.camera.tan_half_fov /
                              (frame.height * std::sqrt(static_cast<double>(frame.samples.size())))),
-          std::max(1U, frame.light_samples), media_ ? &*media_ : nullptr),
+          std::max(1U, frame.light_samples), scene.interfaces.empty() ? nullptr : &*media_),
       depth_(frame.depth),
       width_(frame.width),
-      height_(frame.height) {
-  if (media_) tree_.emplace(scene, geometry, *media_, shading_, depth_, frame.cutoff);
+      height_(frame.height),
+      seed_(frame.seed * 0x9e3779b9U),
+      is_sampled_((frame.lens && scene.camera.aperture_radius > 0) || !shading_.soft().empty() ||
+                  frame.diffusion.bounces > 0) {
+  if (media_)
+    tree_.emplace(scene, geometry, *media_, shading_, depth_, frame.cutoff, frame.diffusion);
   std::tie(block_width_, block_height_) = block_size(frame.samples.size());
   prepare_samples(frame.samples);
   if (frame.lens && scene.camera.aperture_radius > 0) lens_.emplace(scene.camera);
@@ -103,11 +119,11 @@ void Tracer::gather_block(std::uint32_t x, std::uint32_t y, Workspace& workspace
     packet.active = samples.active & (film_x < static_cast<float>(width_)) &
                     (film_y < static_cast<float>(height_));
     packet.pixel = samples.pixel;
-    if (lens_ || !shading_.soft().empty()) {
+    if (is_sampled_) {
       packet.sample = samples.number;
       for (unsigned i = 0; i < lane_count; ++i) {
         const std::uint32_t px = x + samples.pixel[i] % block_width_;
-        packet.seed[i] = soft::hashed(px, y + samples.pixel[i] / block_width_);
+        packet.seed[i] = soft::hashed(px, y + samples.pixel[i] / block_width_ + seed_);
       }
     }
     packet.origin = eye_;

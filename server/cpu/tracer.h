@@ -29,8 +29,13 @@ class Tracer {
     std::vector<SamplePoint> samples;  ///< Of each pixel; at least one.
     float cutoff = 1e-3f;              ///< Of paths over clear surfaces.
     std::uint32_t light_samples = 1;   ///< Of each light with a surface and of the environment.
-    bool lens = true;                  ///< The camera's; without it, all rays are from its middle.
+    Diffusion diffusion = {};
+    std::uint32_t seed = 0;  ///< Another one: other points of lights and lens, other ways.
+    bool lens = true;        ///< The camera's; without it, all rays are from its middle.
   };
+  static Frame frame_of(const v1::Plan& plan, std::uint32_t width, std::uint32_t height,
+                        std::vector<SamplePoint> samples);
+
   /// The references must outlive the tracer.
   Tracer(const RenderScene& scene, const EmbreeScene& geometry, const Frame& frame);
   Tracer(const RenderScene& scene, const EmbreeScene& geometry, const v1::Plan& plan);
@@ -69,11 +74,13 @@ class Tracer {
 
   const RenderScene& scene_;
   const EmbreeScene& geometry_;
-  std::optional<Media> media_;  ///< Where the scene has clear objects.
+  std::optional<Media> media_;  ///< Where rays split.
   Shading shading_;
   std::optional<RayTree> tree_;
   unsigned depth_;
   std::uint32_t width_, height_;
+  std::uint32_t seed_;
+  bool is_sampled_;  ///< Some light is looked at by points or ways that are chosen.
   std::uint32_t block_width_, block_height_;  ///< Pixels of a packet below eight samples; else 1×1.
   std::vector<Samples> samples_;              ///< Of one block.
   std::optional<Lens> lens_;                  ///< Of a camera that is no pinhole.

@@ -136,7 +136,7 @@ void plan_exact(const RenderScene& scene, const v1::Settings&, v1::Plan& plan) {
 }
 
 std::unique_ptr<Method> make_exact(const v1::Plan& plan, const RenderScene& scene) {
-  return std::make_unique<Exact>(ExactTables(scene, scene.observer, plan.depth()));
+  return std::make_unique<Exact>(ExactTables(scene, scene.observer, plan.depth(), plan.bounces()));
 }
 
 }  // namespace metamer

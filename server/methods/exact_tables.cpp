@@ -9,28 +9,35 @@
 namespace metamer {
 namespace {
 
-/// Of chains over clear surfaces. Longer ones hold more than four reflections, of 4 % each, or
-/// many transmissions, which are nearly grey.
+/// Of chains over clear surfaces and of those between diffuse ones. Longer ones hold more than four
+/// reflections, of 4 % each, or many transmissions, which are nearly grey, or are dark but for
+/// greys.
 constexpr std::uint32_t longest_probed = 12;
 
-SceneBands scene_bands(const RenderScene& scene, const Observer& observer, std::uint32_t depth) {
-  std::set<std::pair<FactorKind, std::uint32_t>> mirrors;
+SceneBands scene_bands(const RenderScene& scene, const Observer& observer, std::uint32_t depth,
+                       std::uint32_t bounces) {
+  std::set<std::pair<FactorKind, std::uint32_t>> passed;
   for (std::uint32_t i = 0; i < scene.materials.size(); ++i)
     if (scene.materials[i].mirror > 0)
-      mirrors.insert({mirror_factor(scene.materials[i], i, 1).kind, i});
+      passed.insert({mirror_factor(scene.materials[i], i, 1).kind, i});
   std::vector<const Spectrum*> emissions;
   for (const Spectrum& emission : scene.emissions) emissions.push_back(&emission);
   for (const RenderScene::Reradiated& one : scene.reradiated) emissions.push_back(&one.power);
-  std::uint32_t longest = mirrors.empty() ? 0 : depth;
+  std::uint32_t longest = passed.empty() ? 0 : depth;
   // At each clear surface an interface, and a way through what lies behind it; to the light again.
   if (!scene.media.empty()) longest = std::min(2 * depth + 4, longest_probed);
-  return {factor_sources(scene), mirrors, longest, emissions, observer};
+  if (bounces > 0) {
+    longest = std::min(longest + bounces, longest_probed);
+    for (const std::uint32_t i : seen_materials(scene)) passed.insert({FactorKind::diffuse, i});
+  }
+  return {factor_sources(scene), passed, longest, emissions, observer};
 }
 
 }  // namespace
 
-ExactTables::ExactTables(const RenderScene& scene, const Observer& observer, std::uint32_t depth)
-    : bands(scene_bands(scene, observer, depth)),
+ExactTables::ExactTables(const RenderScene& scene, const Observer& observer, std::uint32_t depth,
+                         std::uint32_t bounces)
+    : bands(scene_bands(scene, observer, depth, bounces)),
       rows(scene),
       white(scene.emissions.size(), bands.bands().nm.size()),
       values(rows.size(), bands.bands().nm.size()),

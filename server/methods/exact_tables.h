@@ -11,8 +11,9 @@ namespace metamer {
 
 /// What `exact` knows of a scene.
 struct ExactTables {
-  /// Paths meet up to `depth` mirrors.
-  ExactTables(const RenderScene& scene, const Observer& observer, std::uint32_t depth);
+  /// Paths meet up to `depth` mirrors, and take up to `bounces` diffuse reflections.
+  ExactTables(const RenderScene& scene, const Observer& observer, std::uint32_t depth,
+              std::uint32_t bounces);
 
   /// What is seen of light of each emission that comes from a row, by band: a row an emission, of
   /// luminance 1.

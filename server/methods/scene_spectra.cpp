@@ -113,6 +113,7 @@ Eigen::MatrixXd surface_columns(const RenderScene& scene, const Wavelengths& wav
 Eigen::MatrixXd mirror_columns(const RenderScene& scene, const Wavelengths& wavelengths) {
   std::set<std::uint32_t> properties, constants;
   for (const RenderMaterial& material : scene.materials) {
+    if (scene.inter_reflects) properties.insert(material.diffuse);
     if (absorbs(scene, material)) properties.insert(scene.media[material.medium].transmittance);
     if (!(material.mirror > 0)) continue;
     if (material.fresnel == FresnelKind::exact)

@@ -36,7 +36,7 @@ std::vector<Eigen::MatrixXd> fluorescent_columns(const RenderScene& scene,
 /// What a surface may multiply light by; of a Fresnel term, at three angles.
 Eigen::MatrixXd surface_columns(const RenderScene& scene, const Wavelengths& wavelengths);
 
-/// The same of mirrors, and of what light goes through, alone.
+/// The same of mirrors alone, of what light goes through, and of surfaces that light others.
 Eigen::MatrixXd mirror_columns(const RenderScene& scene, const Wavelengths& wavelengths);
 
 }  // namespace metamer

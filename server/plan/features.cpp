@@ -36,6 +36,8 @@ Lack lack(Feature feature, const std::string& by) {
       return {notice, "has no effect: the " + by + " has no passes"};
     case Feature::transmission:
       return {refusal, "the " + by + " has no refraction"};
+    case Feature::inter_reflection:
+      return {notice, "the " + by + " has no light that surfaces reflect to each other"};
     case Feature::fluorescence:
       return {refusal, "the " + by + " has no fluorescence"};
     case Feature::lens:
@@ -100,6 +102,7 @@ std::vector<Need> features_of(const RenderScene& scene, const v1::Settings& sett
       scene, Feature::fluorescence,
       [](const Object&, const Material& m) { return m.fluorescence.has_value(); }, needs);
   if (scene.camera.aperture_radius > 0) needs.push_back({Feature::lens, "camera.aperture_radius"});
+  if (settings.bounces() > 0) needs.push_back({Feature::inter_reflection, "settings.bounces"});
   if (settings.method().point().multi_pass())
     needs.push_back({Feature::multi_pass, "settings.method.point.multi_pass"});
   return needs;

@@ -21,8 +21,7 @@ void notice_lights(const RenderScene& scene, const std::vector<Need>& needs, v1:
   say(first->field,
       "a pixel looks at " + std::to_string(std::uint64_t{plan.spp()} * plan.light_samples()) +
           " points of it (spp " + std::to_string(plan.spp()) + " × light_samples " +
-          std::to_string(plan.light_samples()) +
-          "): noise beside the error of colour, of which alone a tolerance speaks",
+          std::to_string(plan.light_samples()) + "): noise beside the error of colour",
       plan);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const RenderObject& object = scene.objects[i];

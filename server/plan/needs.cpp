@@ -145,6 +145,12 @@ void need_rays(const RenderScene& scene, const std::vector<const RenderMaterial*
   else
     plan.add_unneeded("bundles of wavelengths: no material disperses light");
 
+  if (plan.bounces() > 0)
+    plan.add_need(print("up to %u diffuse reflections between surfaces a path, by %u rays a sample",
+                        plan.bounces(), plan.bounce_samples()));
+  else
+    plan.add_unneeded("light that surfaces reflect to each other: the settings allow none");
+
   const auto bent = names_of(materials, [](const RenderMaterial& m) { return m.anisotropic(); });
   if (bent.empty())
     plan.add_unneeded("tangents: no material is anisotropic");

@@ -169,6 +169,14 @@ void notice_light_through(const RenderScene& scene, v1::Plan& plan) {
   notice->set_message("light that comes through clear things excites no fluorescence");
 }
 
+/// Nor what other surfaces have reflected.
+void notice_bounced_light(const RenderScene& scene, v1::Plan& plan) {
+  if (scene.fluorescences.empty() || plan.bounces() == 0) return;
+  v1::Notice* notice = plan.add_notice();
+  notice->set_field(scene.fluorescence_fields.front());
+  notice->set_message("light that other surfaces reflect excites no fluorescence");
+}
+
 /// Who has to have what the scene needs.
 std::vector<Supported> supporters(const v1::Method& method, const Capabilities& capabilities) {
   const auto* name = v1::Method::descriptor()->FindFieldByNumber(method.method_case());
@@ -205,6 +213,10 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
   if (!scene.media.empty() && capabilities.features.has(Feature::transmission))
     plan.set_cutoff(settings.cutoff());
   if (looks_at_points(needs)) plan.set_light_samples(settings.light_samples());
+  if (settings.bounces() > 0 && capabilities.features.has(Feature::inter_reflection)) {
+    plan.set_bounces(settings.bounces());
+    plan.set_bounce_samples(settings.bounce_samples());
+  }
   for (const Spectrum& window : scene.windows) plan.add_bundle(middle_of(window));
   plan.set_threads(settings.threads() == 0 ? capabilities.threads
                                            : std::min(settings.threads(), capabilities.threads));
@@ -232,6 +244,7 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
     notice->set_message(told.message);
   }
   notice_light_through(scene, plan);
+  notice_bounced_light(scene, plan);
   notice_smaller_tiles(settings, plan);
   notice_skipped_faces(scene, plan);
   notice_objects(scene, plan);

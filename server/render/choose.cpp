@@ -61,6 +61,14 @@ std::string number(double value) {
   return text;
 }
 
+/// Noise that is more than what was asked for, which no method changes; empty: it is not.
+std::string noisy(const Predictor& predictor, double tolerance) {
+  if (!predictor.noise() || predictor.noise()->percentile_95() <= tolerance) return {};
+  return "the noise of its samples is ΔE00 " + number(predictor.noise()->percentile_95()) +
+         " at 95 % of the pixels, more than the tolerance of " + number(tolerance) +
+         ": that takes more spp, light_samples or bounce_samples";
+}
+
 Choice keep_tolerance(Predictor& predictor, const std::atomic<bool>& stopped, double tolerance) {
   const Fits fits = [&](const Predicted& one) {
     return one.error() <= tolerance_margin * tolerance;
@@ -93,7 +101,8 @@ Choice keep_tolerance(Predictor& predictor, const std::atomic<bool>& stopped, do
 
     // Ask pixels that had no part in this.
     const v1::ColorError fresh = predictor.check(*best->method, round);
-    if (fresh.maximum() <= tolerance || stopped) return conclude(all, best, {});
+    if (fresh.maximum() <= tolerance || stopped)
+      return conclude(all, best, noisy(predictor, tolerance));
     best->rejected = true;
   }
 }

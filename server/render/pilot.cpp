@@ -64,6 +64,7 @@ PilotPixels trace_pixels(const Probe& probe, const v1::Plan& plan, PixelRun run,
   pixels.scale = 1 / static_cast<float>(plan.spp());
   pixels.gathers = std::move(traced.gathers);
   pixels.trace_seconds = traced.seconds;
+  pixels.rays = traced.rays;
   for (const Gather& gather : pixels.gathers) {
     pixels.reference.push_back(
         to_lab(reference.resolve(gather, 1.0 / plan.spp()), reference.white()));
@@ -80,6 +81,7 @@ PilotPixels scene_colors(const RenderScene& scene, Reference& reference) {
   std::vector<Factor> passed;
   for (const std::uint32_t index : used) {
     const RenderMaterial& material = scene.materials[index];
+    if (scene.inter_reflects) passed.push_back({FactorKind::diffuse, index, 0});
     if (material.mirror > 0) passed.push_back(mirror_factor(material, index, 1));
     if (absorbs(scene, material))  // through its thickness
       passed.push_back({FactorKind::absorb, index,

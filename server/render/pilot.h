@@ -18,6 +18,7 @@ struct PilotPixels {
   std::vector<Lab> reference;
   float scale = 1;           ///< Of the sums in a gather: 1 / samples.
   double trace_seconds = 0;  ///< A pixel, on one thread.
+  double rays = 0;           ///< A pixel.
 };
 
 /// So many pixels show what a method does to a picture of this size: about one in 1024, a few

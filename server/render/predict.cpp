@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "common/scene/settings.h"
+#include "server/render/noise.h"
 #include "server/render/thread_time.h"
 
 namespace metamer {
@@ -22,15 +23,6 @@ v1::Method any_method() {
 
 /// A ray on one core, ns, with its share of a model: what the demo's booth takes.
 constexpr double ray_cost = 200;
-
-/// Rays to the surfaces, and from each to each light; into the dark, to nothing.
-double mean_rays(const std::vector<Gather>& pixels, const v1::Plan& plan) {
-  double sum = 0;
-  for (const Gather& gather : pixels)
-    sum +=
-        gather.is_dark() ? 1 : (1.0 + plan.lights()) * static_cast<double>(gather.chains().size());
-  return plan.spp() * (pixels.empty() ? 1 : sum / static_cast<double>(pixels.size()));
-}
 
 double mean_resolve_cost(const Method& method, const std::vector<Gather>& pixels) {
   double sum = 0;
@@ -68,7 +60,8 @@ Predictor::Predictor(const PilotScene& pilot)
       pixels_(trace_pixels(pilot.probe, plan_, {0, pilot_count(plan_)}, reference_, pilot.stopped,
                            pilot.work)),
       colors_(scene_colors(pilot.scene, reference_)),
-      trace_cost_(mean_rays(pixels_.gathers, plan_) * ray_cost * plan_.width() * plan_.height()) {}
+      noise_(sampling_noise(pilot, plan_, *make_method(plan_, pilot.scene), reference_.white())),
+      trace_cost_(pixels_.rays * ray_cost * plan_.width() * plan_.height()) {}
 
 Predicted Predictor::predict(const v1::Method& method) {
   const auto start = Clock::now();
@@ -93,6 +86,7 @@ Predicted Predictor::predict(const v1::Method& method) {
   prediction.set_render(pilot_.probe.picture_seconds(
       plan, *predicted.method, pixels_.trace_seconds + resolve, pilot_.stopped, pilot_.work));
   *prediction.mutable_error() = summarize(errors);
+  if (noise_) *prediction.mutable_noise() = *noise_;
 
   prediction.set_bound(summarize(color_errors(*predicted.method, colors_,
                                               {0, colors_.gathers.size()}, white, *scratch))
@@ -117,7 +111,10 @@ v1::Accuracy measure(const PilotScene& pilot, const Method& method) {
   const PixelRun run{.first = 0, .count = 2 * pilot_count(plan), .random = true};
   v1::ColorError error = error_on(run, pilot, plan, reference, method);
   error.set_share(bounded_share(run.count));
-  return accuracy_of(error, plan, reference.white());
+  v1::Accuracy accuracy = accuracy_of(error, plan, reference.white());
+  if (const auto noise = sampling_noise(pilot, plan, method, reference.white()))
+    *accuracy.mutable_noise() = *noise;
+  return accuracy;
 }
 
 v1::Accuracy accuracy_of(const v1::ColorError& error, const v1::Plan& plan, const Xyz& white) {
@@ -130,9 +127,8 @@ v1::Accuracy accuracy_of(const v1::ColorError& error, const v1::Plan& plan, cons
   return accuracy;
 }
 
-double counted_pixel_cost(const Method& method, const std::vector<Gather>& pixels,
-                          const v1::Plan& plan) {
-  return mean_rays(pixels, plan) * ray_cost + mean_resolve_cost(method, pixels);
+double counted_pixel_cost(const Method& method, const TracedPixels& pixels) {
+  return pixels.rays * ray_cost + mean_resolve_cost(method, pixels.gathers);
 }
 
 }  // namespace metamer

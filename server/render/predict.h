@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "server/plan/plan.h"
 #include "server/render/pilot.h"
@@ -42,6 +43,9 @@ class Predictor {
   /// The error on pixels that had no part in predictions; another `round`, other pixels.
   v1::ColorError check(const Method& method, std::uint32_t round);
 
+  /// That of the picture's samples, whatever the method; nothing: nothing is sampled.
+  const std::optional<v1::ColorError>& noise() const { return noise_; }
+
   /// The counted cost of the picture's rays, which any method has.
   double trace_cost() const { return trace_cost_; }
 
@@ -50,6 +54,7 @@ class Predictor {
   v1::Plan plan_;
   Reference reference_;
   PilotPixels pixels_, colors_;
+  std::optional<v1::ColorError> noise_;
   double trace_cost_;
 };
 
@@ -63,8 +68,7 @@ v1::Accuracy accuracy_of(const v1::ColorError& error, const v1::Plan& plan, cons
 
 /// What a pixel costs on average, in the counted ns of Method::resolve_cost: its rays, and what a
 /// method makes of them.
-double counted_pixel_cost(const Method& method, const std::vector<Gather>& pixels,
-                          const v1::Plan& plan);
+double counted_pixel_cost(const Method& method, const TracedPixels& pixels);
 
 /// The plan of the pilot's scene with another method.
 v1::Plan plan_with(const PilotScene& pilot, const v1::Method& method);

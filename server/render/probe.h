@@ -18,12 +18,15 @@ namespace metamer {
 struct PixelRun {
   std::uint32_t first, count;
   bool random = false;
+  /// Another one: other points of lights, other ways between surfaces; 0 has the picture's own.
+  std::uint32_t seed = 0;
 };
 
 /// Pixels before any spectrum: sums over the samples of each.
 struct TracedPixels {
   std::vector<Gather> gathers;
   double seconds = 0;  ///< A pixel, on one thread of the CPU that does nothing else.
+  double rays = 0;     ///< A pixel.
 };
 
 /// What the eye meets first in the middle of a pixel; in camera space.

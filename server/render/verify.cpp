@@ -65,8 +65,7 @@ double verify_cost(const PilotScene& pilot, const v1::Plan& plan, const Method& 
       pilot.probe.trace(plan, {0, pilot_count(plan)}, pilot.stopped, pilot.work);
   const ReferenceMethod reference(pilot.scene, pilot.scene.observer);
   constexpr double difference = 700;  // ns: two colours to Lab, and ΔE00
-  return (counted_pixel_cost(reference, pixels.gathers, plan) + difference) /
-         counted_pixel_cost(method, pixels.gathers, plan);
+  return (counted_pixel_cost(reference, pixels) + difference) / counted_pixel_cost(method, pixels);
 }
 
 }  // namespace metamer

@@ -1,6 +1,7 @@
 // The picture of a job: its tiles, and what came of the promise.
 #include "server/film/factor_sink.h"
 #include "server/render/choose.h"
+#include "server/render/noise.h"
 #include "server/render/verify.h"
 #include "server/worker/job.h"
 #include "server/worker/mapped_film.h"
@@ -76,6 +77,13 @@ Result<void> Job::verify(const Film& film, v1::JobDone& done) {
   }));
   if (auto drawn = draw_on(); !drawn || stopped_) return drawn;
   *done.mutable_accuracy() = check.accuracy();
+  if (!build([&] { return probe_->prepare(stopped_); })) return {};  // stopped
+  const Capabilities capabilities = options_.plan_capabilities();
+  const PilotScene pilot{*scene_, *probe_, settings_, capabilities, stopped_, work_};
+  const v1::Accuracy& accuracy = done.accuracy();
+  if (const auto noise = sampling_noise(pilot, plan_, *method_,
+                                        {accuracy.white(0), accuracy.white(1), accuracy.white(2)}))
+    *done.mutable_accuracy()->mutable_noise() = *noise;
   timing_.set_verify(since(start));
   return {};
 }

@@ -6,6 +6,7 @@
 #include "client/cli/scene_input.h"
 #include "client/cli/shared_options.h"
 #include "client/tools/text/formatted.h"
+#include "client/tools/text/promise_text.h"
 #include "common/scene/methods.h"
 
 namespace metamer::cli {
@@ -59,6 +60,9 @@ void print_predictions(const v1::Plan& plan, Report& report) {
       "\"any color\": the largest of one light on one surface that faces it, in the picture or "
       "not; "
       "*: the scene's own method.");
+  if (plan.prediction(0).has_noise())
+    report.line("Beside that, whatever the method, the " + noise_text(plan.prediction(0).noise()) +
+                ".");
 }
 
 boost::asio::awaitable<ExitCode> explain_on(Session& session, const CheckedScene& scene,

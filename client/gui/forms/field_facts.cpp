@@ -24,6 +24,8 @@ const std::map<std::string, NumberRange>& ranges() {
       {"depth", {0, limits::max_depth}},
       {"cutoff", {limits::min_cutoff, 1}},
       {"light_samples", {1, limits::max_light_samples}},
+      {"bounces", {0, limits::max_bounces}},
+      {"bounce_samples", {1, limits::max_bounce_samples}},
       {"threads", {0, limits::max_threads}},
       {"tile_size", {8, limits::max_tile}},
       {"method.point.from", {limits::min_wavelength, limits::max_wavelength}},

@@ -35,6 +35,8 @@ constexpr NeedsFeature needs_feature[] = {
     {"cutoff", Feature::transmission},
     {"shading", Feature::corner_shading},
     {"light_samples", Feature::area_lights},
+    {"bounces", Feature::inter_reflection},
+    {"bounce_samples", Feature::inter_reflection},
     {"method.point.multi_pass", Feature::multi_pass},
 };
 

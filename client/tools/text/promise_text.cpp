@@ -36,6 +36,12 @@ std::string seen_by(const v1::Accuracy& accuracy) {
 
 }  // namespace
 
+std::string noise_text(const v1::ColorError& noise) {
+  return formatted(
+      "noise of its samples: ΔE00 mean %.3g, 95 %% below %.3g, at most %.3g of %u pixels",
+      noise.mean(), noise.percentile_95(), noise.maximum(), noise.pixels());
+}
+
 std::optional<PromiseText> promise_text(const v1::Plan& plan, const v1::Finished& finished) {
   if (!finished.has_accuracy()) return std::nullopt;
   const v1::Goal& goal = plan.auto_();
@@ -46,6 +52,7 @@ std::optional<PromiseText> promise_text(const v1::Plan& plan, const v1::Finished
   text += formatted(": mean %.3g, 95 %% below %.3g, at most %.3g", error.mean(),
                     error.percentile_95(), error.maximum());
   text += bounded(error) + seen_by(finished.accuracy());
+  if (finished.accuracy().has_noise()) text += "; " + noise_text(finished.accuracy().noise());
   if (goal.has_deadline())
     text += formatted("; it took %.3g s, and %.3g s were asked for", finished.timing().total(),
                       goal.deadline());

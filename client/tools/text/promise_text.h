@@ -17,6 +17,9 @@ struct PromiseText {
   std::string text;
 };
 
+/// "noise of its samples: ΔE00 mean 0.2, 95 % below 0.5, at most 0.9 of 512 pixels"
+std::string noise_text(const v1::ColorError& noise);
+
 /// Nothing where nothing was measured.
 std::optional<PromiseText> promise_text(const v1::Plan& plan, const v1::Finished& finished);
 

@@ -7,20 +7,26 @@
 
 namespace metamer::cpu {
 
+/// A path that has been scattered is one of many.
+std::uint32_t Shading::light_samples(const Packet& packet) const {
+  return packet.diffused ? 1 : soft_.samples();
+}
+
 void Shading::shade_soft(const Packet& packet, const Hits& hits, const Places& places, Int8 ambient,
                          Workspace& workspace) const {
   // The models are evaluated at the hit, whatever the object's shading is.
   Hits here = hits;
   here.interpolated = Int8{};
-  const float share = 1 / static_cast<float>(soft_.samples());
+  const std::uint32_t samples = light_samples(packet);
+  const float share = 1 / static_cast<float>(samples);
   for (const soft::SoftLights::Surface& surface : soft_.surfaces()) {
     const soft::SurfaceLight::View view = surface.view(packet.hit, packet.active, hits);
     if (!any(view.lanes)) continue;
     const Step step{packet, here, places, surface.light, workspace};
-    for (std::uint32_t j = 0; j < soft_.samples(); ++j) {
+    for (std::uint32_t j = 0; j < samples; ++j) {
       soft::Point8 point;
       for (unsigned i = 0; i < lane_count; ++i)
-        soft::pattern_of(packet, i, soft_.samples(), j, surface.light).put(point, i);
+        soft::pattern_of(packet, i, samples, j, surface.light).put(point, i);
       const soft::Sample8 sample = surface.sample(view, point, packet.point);
       const Int8 sound = view.lanes & (sample.weight > 0.0f) &
                          (sample.weight <= std::numeric_limits<float>::max());
@@ -39,16 +45,17 @@ void Shading::shade_soft(const Packet& packet, const Hits& hits, const Places& p
 void Shading::shade_by_sky(const Packet& packet, const Hits& hits, const Places& places,
                            Int8 ambient, Workspace& workspace) const {
   const soft::Sky& sky = *soft_.sky();
-  const float share = 1 / static_cast<float>(soft_.samples());
+  const std::uint32_t samples = light_samples(packet);
+  const float share = 1 / static_cast<float>(samples);
   const Float8 far = metamer::broadcast(std::numeric_limits<float>::max());
   const auto step_of = [&](std::uint32_t part) {
     return Step{packet, hits, places, sky.first_light() + part, workspace};
   };
-  for (std::uint32_t j = 0; j < soft_.samples(); ++j) {
+  for (std::uint32_t j = 0; j < samples; ++j) {
     soft::Sky::Sample8 sample;
     for (unsigned i = 0; i < lane_count; ++i) {
       if (!packet.active[i]) continue;
-      const auto [index, seed] = soft::pattern_of(packet, i, soft_.samples(), j, sky.first_light());
+      const auto [index, seed] = soft::pattern_of(packet, i, samples, j, sky.first_light());
       sky.put_sample({hits.normal.x[i], hits.normal.y[i], hits.normal.z[i]}, index, seed, sample,
                      i);
     }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "server/cpu/soft/around.h"
 #include "server/scene/surface_white.h"
 
 namespace metamer::cpu::soft {
@@ -20,24 +21,6 @@ constexpr double least_near = 0.02, least_near_within = 1;
 
 Vector3d vector_at(const RenderLight& light, std::size_t at) {
   return {light.parameters[at], light.parameters[at + 1], light.parameters[at + 2]};
-}
-
-/// cos and sin of 2π v.
-void turn(Float8 v, Float8& cosine, Float8& sine) {
-  for (int i = 0; i < lane_count; ++i) {
-    const float angle = 2 * std::numbers::pi_v<float> * v[i];
-    cosine[i] = std::cos(angle);
-    sine[i] = std::sin(angle);
-  }
-}
-
-/// Two unit vectors at right angles to a unit one, after T. Duff et al., "Building an Orthonormal
-/// Basis, Revisited", JCGT 6(1), 2017.
-void basis(const Vec8& n, Vec8& s, Vec8& t) {
-  const Float8 sign = select(n.z < 0.0f, broadcast(-1), broadcast(1));
-  const Float8 a = -1.0f / (sign + n.z), b = n.x * n.y * a;
-  s = {1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x};
-  t = {b, sign + n.y * n.y * a, -n.y};
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ std::vector<Need> needs_of(const std::string& text) {
 
 TEST(Features, HaveANameEach) {
   EXPECT_STREQ(name_of(Feature::mirrors), "mirrors");
-  EXPECT_EQ(feature_names().size(), static_cast<std::size_t>(Feature::lens) + 1);
+  EXPECT_EQ(feature_names().size(), static_cast<std::size_t>(Feature::inter_reflection) + 1);
   for (std::size_t i = 0; i < feature_names().size(); ++i)
     EXPECT_TRUE(Features::all().has(static_cast<Feature>(i))) << feature_names()[i];
 }
