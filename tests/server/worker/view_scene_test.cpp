@@ -105,6 +105,22 @@ TEST_F(WorkerViewScene, LightsAndPaintsLeaveTheObjects) {
   EXPECT_EQ(backend_.seen.renderers, 1);
 }
 
+TEST_F(WorkerViewScene, AnObjectThatBeginsToShineIsMeasuredOnce) {
+  open(
+      "camera { eye { z: 3 } target {} } light { name: 'lamp' position { z: 4 } spectrum { "
+      "standard: 'A' } } material { name: 'm' } object { name: 'card' material: 'm' quad { u { x: "
+      "1 "
+      "} v { y: 2 } } } settings { width: 8 height: 8 }");
+  EXPECT_EQ(scene_.scene().objects[0].area_up_to, nullptr);
+  const std::string shining = "light { name: 'lamp' object: 'card' spectrum { standard: 'A' } ";
+  EXPECT_EQ(*scene_.change(update(shining + "}")), Change::appearance);
+  const auto measured = scene_.scene().objects[0].area_up_to;
+  ASSERT_NE(measured, nullptr);
+  EXPECT_EQ(*measured, (std::vector<double>{0.5, 1}));
+  EXPECT_EQ(*scene_.change(update(shining + "luminance: 2 }")), Change::appearance);
+  EXPECT_EQ(scene_.scene().objects[0].area_up_to, measured);
+}
+
 TEST_F(WorkerViewScene, APaintThatLooksAtTangentsWantsOtherObjects) {
   open(ball_scene("width: 8 height: 8"));
   EXPECT_EQ(*scene_.change(update("material { name: 'paint' cook_torrance {} specularness: 1 slope "
