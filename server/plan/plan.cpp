@@ -194,10 +194,10 @@ std::vector<Problem> refusals(const RenderScene& scene, const v1::Settings& sett
   for (const Supported& supported : supporters(settings.method(), capabilities))
     for (Problem& one : refuse_unsupported(needs, supported)) problems.push_back(std::move(one));
   if (keep_factors && scene.environment && scene.environment->picture)
-    problems.push_back({.field = scene.environment->field + ".environment.file",
+    problems.push_back({.field = scene.environment->field + ".environment",
                         .file = {},
                         .message = "the factors of an environment's picture are not kept for "
-                                   "relighting: leave out the file or the factors"});
+                                   "relighting: leave out its file or sky, or the factors"});
   return problems;
 }
 

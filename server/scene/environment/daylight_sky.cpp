@@ -65,18 +65,18 @@ DaylightSky::Colour DaylightSky::at(double zenith_cosine, double sun_cosine) con
   return {of(x_), of(y_), of(luminance_)};
 }
 
-PaintedSky paint(const DaylightSky& sky, double azimuth) {
-  // The colours of the upper half, at the middles of pixels.
+PaintedSky paint(const DaylightSky& sky) {
+  // The colours of the upper half's left half, at the middles of pixels: the right one is like it.
+  constexpr std::uint32_t half_width = sky_width / 2, half_height = sky_height / 2;
   std::vector<DaylightSky::Colour> colours;
   std::vector<Chromaticity> chromaticities;
   const double sun_sine = std::sin(sky.sun_zenith()), sun_cosine = std::cos(sky.sun_zenith());
-  for (std::uint32_t y = 0; y < sky_height / 2; ++y) {
-    const double zenith = (y + 0.5) * pi / sky_height;
-    for (std::uint32_t x = 0; x < sky_width; ++x) {
-      // Longitudes grow clockwise, seen from above.
-      const double turn = ((x + 0.5) / sky_width - 0.5) * 2 * pi + azimuth;
-      colours.push_back(sky.at(std::cos(zenith), std::sin(zenith) * sun_sine * std::cos(turn) +
-                                                     std::cos(zenith) * sun_cosine));
+  const auto zenith_of = [](std::uint32_t y) { return (y + 0.5) * pi / sky_height; };
+  for (std::uint32_t y = 0; y < half_height; ++y) {
+    const double sine = std::sin(zenith_of(y)), cosine = std::cos(zenith_of(y));
+    for (std::uint32_t x = 0; x < half_width; ++x) {
+      const double turn = ((x + 0.5) / sky_width - 0.5) * 2 * pi;
+      colours.push_back(sky.at(cosine, sine * sun_sine * std::cos(turn) + cosine * sun_cosine));
       chromaticities.push_back({colours.back().x, colours.back().y});
     }
   }
@@ -85,17 +85,19 @@ PaintedSky paint(const DaylightSky& sky, double azimuth) {
   const DaylightCorners corners(chromaticities);
   PaintedSky painted{{sky_width, sky_height, {}, {}}, corners.spectra(), {}};
   std::vector<float>& values = painted.picture.values;
-  values.reserve(std::size_t{3} * sky_width * sky_height);
-  Vector3 on_ground{};
-  for (std::size_t i = 0; i < colours.size(); ++i) {
-    const double zenith = (static_cast<double>(i / sky_width) + 0.5) * pi / sky_height;
-    const Vector3 shares = corners.shares(chromaticities[i], colours[i].luminance);
-    for (std::size_t part = 0; part < 3; ++part) {
-      values.push_back(static_cast<float>(shares[part]));
-      on_ground[part] += shares[part] * std::cos(zenith) * std::sin(zenith);
-    }
-  }
   values.resize(std::size_t{3} * sky_width * sky_height);
+  Vector3 on_ground{};
+  for (std::uint32_t y = 0; y < half_height; ++y)
+    for (std::uint32_t x = 0; x < half_width; ++x) {
+      const std::size_t place = std::size_t{y} * half_width + x;
+      const Vector3 shares = corners.shares(chromaticities[place], colours[place].luminance);
+      for (std::size_t part = 0; part < 3; ++part) {
+        const std::size_t row = std::size_t{y} * sky_width;
+        values[(row + x) * 3 + part] = values[(row + sky_width - 1 - x) * 3 + part] =
+            static_cast<float>(shares[part]);
+        on_ground[part] += shares[part] * std::cos(zenith_of(y)) * std::sin(zenith_of(y));
+      }
+    }
   painted.whole = painted.parts[0];
   for (std::size_t i = 0; i < painted.whole.values.size(); ++i) {
     painted.whole.values[i] = 0;

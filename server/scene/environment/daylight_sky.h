@@ -42,9 +42,8 @@ struct PaintedSky {
   Spectrum whole;               ///< What lights the ground.
 };
 
-/// `azimuth`: of the sun, radians about +y from −z, counterclockwise seen from above. Below the
-/// horizon it is black. Where the model asks for light that is below 0 at some wavelengths, as it
-/// does about a low sun, that is 0.
-PaintedSky paint(const DaylightSky& sky, double azimuth);
+/// The sun stands over −z. Below the horizon it is black. Where the model asks for light that is
+/// below 0 at some wavelengths, as it does about a low sun, that is 0.
+PaintedSky paint(const DaylightSky& sky);
 
 }  // namespace metamer

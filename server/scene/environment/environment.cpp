@@ -137,7 +137,8 @@ Result<void> add_daylight(const v1::Light::Sky& sky, const std::string& field, R
                           RenderScene& scene) {
   const DaylightSky model(sky.has_turbidity() ? sky.turbidity() : usual_turbidity,
                           sky.has_elevation() ? sky.elevation() : usual_elevation);
-  PaintedSky painted = paint(model, sky.azimuth() * std::numbers::pi / 180);
+  PaintedSky painted = paint(model);
+  scene.environment->rotation += sky.azimuth() * std::numbers::pi / 180;
   whole.emission = whole.own_emission = static_cast<std::uint32_t>(scene.emissions.size());
   scene.emissions.push_back(std::move(painted.whole));
   scene.emission_fields.push_back(field);

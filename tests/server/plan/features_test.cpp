@@ -125,7 +125,7 @@ TEST(Features, TheFactorsOfAnEnvironmentsPictureAreNotKept) {
   const v1::Settings settings = with_defaults(test::parse_scene(soft).settings());
   const auto problems = refusals(scene, settings, {.threads = 1}, true);
   ASSERT_EQ(problems.size(), 1u);
-  EXPECT_EQ(problems[0].field, "light[3].environment.file");
+  EXPECT_EQ(problems[0].field, "light[3].environment");
 }
 
 TEST(Features, LightsWithASurfaceTakeSamplesAndThePlanSaysSo) {

@@ -47,10 +47,10 @@ DaylightSky::Colour painted_colour(const PaintedSky& painted, std::uint32_t x, s
 }
 
 TEST(DaylightSky, IsPaintedInTheModelsColours) {
-  for (const double turbidity : {2.0, 4.0, 8.0})
+  for (const double turbidity : {2.0, 8.0})
     for (const double elevation : {30.0, 60.0}) {
       const DaylightSky sky(turbidity, elevation);
-      const PaintedSky painted = paint(sky, 0);
+      const PaintedSky painted = paint(sky);
       const std::uint32_t width = painted.picture.width, height = painted.picture.height;
       for (std::uint32_t y = 3; y < height / 2; y += 41)
         for (std::uint32_t x = 5; x < width; x += 101) {
@@ -69,9 +69,9 @@ TEST(DaylightSky, IsPaintedInTheModelsColours) {
 }
 
 TEST(DaylightSky, IsLightEverywhereAboveTheHorizonAndBlackBelow) {
-  for (const double turbidity : {2.0, 3.5, 10.0})
-    for (const double elevation : {0.0, 7.0, 50.0, 90.0}) {
-      const PaintedSky painted = paint(DaylightSky(turbidity, elevation), 1);
+  for (const double turbidity : {2.0, 10.0})
+    for (const double elevation : {0.0, 7.0, 90.0}) {
+      const PaintedSky painted = paint(DaylightSky(turbidity, elevation));
       ASSERT_EQ(painted.parts.size(), 3u);
       for (const Spectrum& part : painted.parts)
         EXPECT_GE(*std::min_element(part.values.begin(), part.values.end()), 0);
@@ -87,7 +87,7 @@ TEST(DaylightSky, IsLightEverywhereAboveTheHorizonAndBlackBelow) {
 
 TEST(DaylightSky, AsAWholeIsBluerThanD65TheClearerItIs) {
   const auto x_of = [](double turbidity) {
-    const Xyz xyz = emission_xyz(paint(DaylightSky(turbidity, 45), 0).whole, cie::observer_1931());
+    const Xyz xyz = emission_xyz(paint(DaylightSky(turbidity, 45)).whole, cie::observer_1931());
     return xyz[0] / (xyz[0] + xyz[1] + xyz[2]);
   };
   // S. T. Henderson, Daylight and its Spectrum (1977): clear skies of 10,000 K to 30,000 K and
