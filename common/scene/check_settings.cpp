@@ -71,6 +71,13 @@ void check_settings(const v1::Settings& settings, const std::string& field, Find
   check_range(full.bounces(), 0, limits::max_bounces, field + ".bounces", findings);
   check_range(full.bounce_samples(), 1, limits::max_bounce_samples, field + ".bounce_samples",
               findings);
+  if (full.bounces() > 0 && full.spp() <= limits::max_spp &&
+      full.bounce_samples() <= limits::max_bounce_samples &&
+      full.spp() * full.bounce_samples() > limits::max_paths)
+    findings.add(field + ".bounce_samples",
+                 "spp × bounce_samples must be at most " + std::to_string(limits::max_paths) +
+                     " (it is " + std::to_string(full.spp() * full.bounce_samples()) + ")",
+                 full.bounce_samples(), limits::max_paths / full.spp());
   check_range(full.depth(), 0, limits::max_depth, field + ".depth", findings);
   check_range(full.cutoff(), limits::min_cutoff, 1, field + ".cutoff", findings);
   check_range(full.threads(), 0, limits::max_threads, field + ".threads", findings);

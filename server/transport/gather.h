@@ -49,7 +49,9 @@ class Gather {
 
   void clear() {
     chains_.assign(1, {0, {FactorKind::white, 0, 0}});
+    links_.assign(1, {});
     surfaces_.clear();
+    next_surface_.clear();
     weights_.clear();
     terms_.clear();
   }
@@ -69,12 +71,14 @@ class Gather {
 
   /// The surface of `material` seen along `chain`.
   std::uint32_t surface(std::uint32_t chain, std::uint32_t material) {
-    for (std::size_t i = surfaces_.size(); i-- > 0;)
-      if (surfaces_[i].chain == chain && surfaces_[i].material == material)
-        return static_cast<std::uint32_t>(i);
+    for (std::uint32_t i = links_[chain].surface; i != none; i = next_surface_[i])
+      if (surfaces_[i].material == material) return i;
+    const auto made = static_cast<std::uint32_t>(surfaces_.size());
     surfaces_.push_back({chain, material});
+    next_surface_.push_back(links_[chain].surface);
+    links_[chain].surface = made;
     weights_.resize(weights_.size() + lights_);
-    return static_cast<std::uint32_t>(surfaces_.size() - 1);
+    return made;
   }
 
   /// The weights of a surface's diffuse, specular and white factors under one light.
@@ -122,18 +126,28 @@ class Gather {
  private:
   std::uint32_t chain(std::uint32_t parent, const Factor& factor, bool before) {
     before = before || chains_[parent].before;
-    // Children come after their parent; that of a tree's newest branch is among the newest.
-    for (std::size_t i = chains_.size() - 1; i > parent; --i)
-      if (chains_[i].parent == parent && chains_[i].factor == factor && chains_[i].before == before)
-        return static_cast<std::uint32_t>(i);
+    for (std::uint32_t i = links_[parent].child; i != none; i = links_[i].sibling)
+      if (chains_[i].factor == factor && chains_[i].before == before) return i;
+    const auto made = static_cast<std::uint32_t>(chains_.size());
     chains_.push_back({parent, factor, before});
-    return static_cast<std::uint32_t>(chains_.size() - 1);
+    links_.push_back({none, links_[parent].child, none});
+    links_[parent].child = made;
+    return made;
   }
+
+  static constexpr std::uint32_t none = 0xffffffff;
+  /// Of a chain: the newest that continue it and the newest surface at its end; each knows the next
+  /// one. A pixel whose surfaces light each other has thousands of chains.
+  struct Link {
+    std::uint32_t child = none, sibling = none, surface = none;
+  };
 
   std::size_t lights_;
   std::vector<bool> reradiates_;  ///< By material.
   std::vector<Chain> chains_;
+  std::vector<Link> links_;  ///< By chain.
   std::vector<Surface> surfaces_;
+  std::vector<std::uint32_t> next_surface_;  ///< Of the same chain, by surface.
   std::vector<LobeWeights> weights_;
   std::vector<Term> terms_;
 };

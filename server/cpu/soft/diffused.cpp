@@ -27,11 +27,13 @@ Packet Shading::diffused(const Packet& packet, const Hits& hits, std::uint32_t w
   Packet to = packet;
   soft::Point8 point, chosen;
   for (unsigned i = 0; i < lane_count; ++i) {
+    if (!packet.active[i]) continue;
     const auto [index, seed] = soft::pattern_of(packet, i, ways, way, of_direction);
     to.sample[i] = index;
     to.seed[i] = seed;
     soft::Pattern{index, seed}.shuffled().put(point, i);
-    soft::Pattern{index, soft::hashed(seed, of_spectrum)}.shuffled().put(chosen, i);
+    if (texturing_.is_needed())
+      soft::Pattern{index, soft::hashed(seed, of_spectrum)}.shuffled().put(chosen, i);
   }
   to.origin = packet.point;
   to.direction = by_cosine(hits.normal, point);

@@ -21,12 +21,14 @@ std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
   return x;
 }
 
-/// The second dimension, its first digit highest: direction numbers v_k = v_{k-1} ^ v_{k-1} >> 1.
-std::uint32_t second(std::uint32_t index) {
-  std::uint32_t x = 0;
-  for (std::uint32_t v = 1U << 31; index != 0; index >>= 1, v ^= v >> 1)
-    if (index & 1) x ^= v;
-  return x;
+/// The second dimension, its first digit lowest: Pascal's triangle modulo 2, whose entry n, k is 1
+/// where n has all binary digits of k (Lucas), so that it is a product over these.
+std::uint32_t second(std::uint32_t x) {
+  x ^= (x & 0xaaaaaaaaU) >> 1;
+  x ^= (x & 0xccccccccU) >> 2;
+  x ^= (x & 0xf0f0f0f0U) >> 4;
+  x ^= (x & 0xff00ff00U) >> 8;
+  return x ^ (x >> 16);
 }
 
 float to_unit(std::uint32_t digits) { return static_cast<float>(digits >> 8) * 0x1p-24F; }
@@ -36,7 +38,7 @@ float to_unit(std::uint32_t digits) { return static_cast<float>(digits >> 8) * 0
 void Pattern::put(Point8& point, unsigned lane) const {
   // The first dimension is the index, mirrored: as it stands its first digit is lowest.
   point.u[lane] = to_unit(mirrored(scrambled(index, hashed(seed, 1))));
-  point.v[lane] = to_unit(mirrored(scrambled(mirrored(second(index)), hashed(seed, 2))));
+  point.v[lane] = to_unit(mirrored(scrambled(second(index), hashed(seed, 2))));
 }
 
 Pattern Pattern::shuffled() const {

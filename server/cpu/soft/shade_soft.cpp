@@ -26,7 +26,7 @@ void Shading::shade_soft(const Packet& packet, const Hits& hits, const Places& p
     for (std::uint32_t j = 0; j < samples; ++j) {
       soft::Point8 point;
       for (unsigned i = 0; i < lane_count; ++i)
-        soft::pattern_of(packet, i, samples, j, surface.light).put(point, i);
+        if (view.lanes[i]) soft::pattern_of(packet, i, samples, j, surface.light).put(point, i);
       const soft::Sample8 sample = surface.sample(view, point, packet.point);
       const Int8 sound = view.lanes & (sample.weight > 0.0f) &
                          (sample.weight <= std::numeric_limits<float>::max());

@@ -103,6 +103,17 @@ TEST(Settings, BothObserversHaveTheirTable) {
   EXPECT_EQ(to_observer(v1::CIE_1964_10DEG), cie::observer_1964());
 }
 
+TEST(Settings, AreOfSoManyRaysBetweenSurfaces) {
+  EXPECT_EQ(settings("bounces: 17 bounce_samples: 257"),
+            Strings({"settings.bounces: bounces must lie in 0..16 (it is 17)",
+                     "settings.bounce_samples: bounce_samples must lie in 1..256 (it is 257)"}));
+  EXPECT_EQ(settings("bounces: 16 spp: 64 bounce_samples: 256"), Strings());
+  EXPECT_EQ(settings("bounces: 1 spp: 65 bounce_samples: 256"),
+            Strings({"settings.bounce_samples: spp × bounce_samples must be at most 16384 (it is "
+                     "16640)"}));
+  EXPECT_EQ(settings("spp: 65 bounce_samples: 256"), Strings());
+}
+
 TEST(Settings, SizesOverTheLimits) {
   EXPECT_EQ(settings("width: 0 height: 16385"),
             Strings({"settings.width: width must lie in 1..16384 (it is 0)",
