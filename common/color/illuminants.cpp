@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/color/radiators.h"
+#include "common/color/sunlight.h"
 #include "common/spectral/cie.h"
 #include "common/spectral/lines.h"
 #include "common/spectral/value_bounds.h"
@@ -25,6 +26,20 @@ std::optional<double> number_of(std::string_view text) {
 /// The number of "6504K" or "546.1nm" before its unit. Nothing: it is none.
 std::optional<double> number_before(std::string_view text, std::string_view unit) {
   return text.ends_with(unit) ? number_of(text.substr(0, text.size() - unit.size())) : std::nullopt;
+}
+
+struct Sun {
+  double turbidity, elevation;
+};
+
+/// "sun:3:45". Nothing: it is none.
+std::optional<Sun> sun_of(std::string_view name) {
+  if (!name.starts_with("sun:")) return std::nullopt;
+  name.remove_prefix(4);
+  const std::size_t at = std::min(name.find(':'), name.size());
+  const auto turbidity = number_of(name.substr(0, at));
+  const auto elevation = number_of(name.substr(std::min(at + 1, name.size())));
+  return turbidity && elevation ? std::optional(Sun{*turbidity, *elevation}) : std::nullopt;
 }
 
 std::optional<double> kelvin_of(std::string_view text) { return number_before(text, "K"); }
@@ -117,7 +132,7 @@ std::vector<double> positions(double step) {
 }  // namespace
 
 bool names_formula(std::string_view name) {
-  return kelvin_of(name) || (name.starts_with("D:") && kelvin_of(name.substr(2))) ||
+  return kelvin_of(name) || (name.starts_with("D:") && kelvin_of(name.substr(2))) || sun_of(name) ||
          lines_of(name) || meant(name);
 }
 
@@ -134,6 +149,14 @@ Result<Spectrum> illuminant_named(std::string_view name) {
     if (!(*kelvin >= coldest_kelvin && *kelvin <= hottest_kelvin))
       return out_of_range(name, "a black body", coldest_kelvin, hottest_kelvin);
     return planckian(*kelvin, positions(1));
+  }
+  if (const auto sun = sun_of(name)) {
+    if (!(sun->turbidity >= least_turbidity && sun->turbidity <= most_turbidity &&
+          sun->elevation >= 0 && sun->elevation <= most_elevation))
+      return problem(quoted(name) + " is out of range: sunlight has a turbidity of " +
+                     number_text(least_turbidity) + " to " + number_text(most_turbidity) +
+                     " and an elevation of 0 to " + number_text(most_elevation) + " degrees");
+    return sunlight(sun->turbidity, sun->elevation);
   }
   if (const auto lines = lines_of(name)) return light_of_lines(name, *lines);
   const std::string wrong = quoted(name) + " is not a standard illuminant";

@@ -10,9 +10,9 @@ namespace metamer {
 
 /// A light by its name: one of the CIE's tables ("D65", cie::illuminant_names), a phase of daylight
 /// ("D:6504K", 4,000 to 25,000 K, CIE 15), a black body ("2856K", coldest_kelvin to
-/// hottest_kelvin), or lines with their powers, 1 where none is said ("436nm:0.6+546.1nm", between
-/// 360 and 830 nm, at most most_lines). Errors: no such name (with "did you mean"), a temperature
-/// or a line out of range.
+/// hottest_kelvin), sunlight by turbidity and elevation ("sun:3:45", sunlight.h), or lines with
+/// their powers, 1 where none is said ("436nm:0.6+546.1nm", between 360 and 830 nm, at most
+/// most_lines). Errors: no such name (with "did you mean"), a temperature or a line out of range.
 Result<Spectrum> illuminant_named(std::string_view name);
 
 /// Whether a name is meant for daylight, a black body or lines: it may be out of range, or lack a

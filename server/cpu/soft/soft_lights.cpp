@@ -87,7 +87,7 @@ void SoftLights::add(const Packet& packet, const Seen& seen, Workspace& workspac
 
 void SoftLights::add_objects(const Packet& packet, const Hits& hits, Int8 lanes,
                              Workspace& workspace) const {
-  if (of_object_.empty()) return;
+  if (of_object_.empty() || packet.diffused) return;
   for (unsigned i = 0; i < lane_count; ++i) {
     if (!lanes[i]) continue;
     const int index = of_object_[static_cast<std::size_t>(hits.object[i])];

@@ -48,7 +48,8 @@ class SoftLights {
   Seen find(const Packet& packet, Hits& hits) const;
   /// Gives that light, over the chains of the packet.
   void add(const Packet& packet, const Seen& seen, Workspace& workspace) const;
-  /// Gives the light of objects that these lanes have hit in front.
+  /// Gives the light of objects that these lanes have hit in front. A surface that scatters has
+  /// looked at it already.
   void add_objects(const Packet& packet, const Hits& hits, Int8 lanes, Workspace& workspace) const;
 
   /// What each light sends to a surface that the first lane has met, by its cosine; 0 for those

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "common/color/chromaticity.h"
+#include "common/color/illuminants.h"
 #include "common/color/xyz.h"
 #include "common/spectral/cie.h"
 
@@ -54,6 +54,19 @@ TEST(Sunlight, IsWarmerTheLowerTheSunAndTheHazierTheAir) {
       EXPECT_LT(x(turbidity, elevation), x(turbidity, elevation - 5));
       EXPECT_LT(x(turbidity, elevation), x(turbidity + 1, elevation));
     }
+}
+
+TEST(Sunlight, HasAName) {
+  const auto named = illuminant_named("sun:2.5:30");
+  ASSERT_TRUE(named);
+  EXPECT_EQ(named->values, sunlight(2.5, 30).values);
+  EXPECT_TRUE(names_formula("sun:2.5:30"));
+  for (const char* wrong : {"sun:", "sun:3", "sun:3:", "sun::45", "sun:3:45x", "sun"})
+    EXPECT_FALSE(illuminant_named(wrong)) << wrong;
+  EXPECT_EQ(illuminant_named("sun:1:30").error().message,
+            "\"sun:1:30\" is out of range: sunlight has a turbidity of 2 to 10 and an elevation of "
+            "0 to 90 degrees");
+  EXPECT_FALSE(illuminant_named("sun:3:91"));
 }
 
 TEST(Sunlight, OnTheHorizonIsLightStill) {

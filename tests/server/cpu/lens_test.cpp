@@ -77,6 +77,17 @@ TEST(Lens, WithoutAnApertureIsNone) {
             pinhole.xyz);
 }
 
+TEST(Lens, GivesTheSameBitsWhateverTheTilesAre) {
+  const std::string scene =
+      "light { name: 'lamp' object: 'lamp' spectrum { standard: 'E' } } material { name: 'm' "
+      "diffuse { constant: 0.8 } } object { name: 'lamp' material: 'm' sphere { center { x: 0.05 "
+      "y: "
+      "0.1 z: -1.5 } radius: 0.04 } } object { name: 'floor' material: 'm' plane { point { y: -0.1 "
+      "} } }";
+  EXPECT_EQ(test::render(view_of("aperture_radius: 0.1", scene, "spp: 2 tile_size: 8")).xyz,
+            test::render(view_of("aperture_radius: 0.1", scene, "spp: 2 tile_size: 40")).xyz);
+}
+
 TEST(Lens, IsAFeatureOfTheCamera) {
   const std::string scene = view_of("aperture_radius: 0.1", edge, "");
   const auto needs =

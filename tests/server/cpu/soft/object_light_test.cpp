@@ -198,6 +198,13 @@ TEST(ObjectLight, ReflectsByItsMaterialToo) {
   EXPECT_NEAR(y, 0.9, 1e-4);
 }
 
+TEST(ObjectLight, CountsOnceWhereLightIsReflectedBetweenSurfaces) {
+  // What the card reflects comes back from a black lamp alone: nothing is added.
+  const std::string quad = "quad { corner { x: -0.5 z: -0.5 y: 1 } u { x: 1 } v { z: 1 } }";
+  EXPECT_NEAR(white_under_lamp(lamp(quad), {}, "spp: 16 light_samples: 16 bounces: 2"),
+              square_factor(1), 3e-3);
+}
+
 TEST(ObjectLight, IsSeenThroughGlassThatTouchesIt) {
   const std::string scene =
       "camera { eye { z: 3 } target {} vertical_fov: 1 } " +
