@@ -16,6 +16,7 @@ SceneSources::SceneSources(const v1::SceneFactors& scene) {
     material.diffuse = &spectra_.emplace_back(to_spectrum(from.diffuse()));
     material.specular = &spectra_.emplace_back(to_spectrum(from.specular()));
     material.constants = nullptr;
+    material.is_rough = from.rough();
     if (from.has_fluorescence()) material.fluorescence = &fluorescences_[from.fluorescence()];
     if (from.has_constants())
       material.constants = &constants_.emplace_back(

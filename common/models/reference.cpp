@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 
 #pragma GCC diagnostic ignored "-Wunused-function"
 #pragma GCC diagnostic ignored "-Wunused-parameter"
@@ -20,7 +21,7 @@ struct Wide {
 };
 constexpr int width = 1;
 using std::abs, std::asin, std::erf, std::exp, std::fma, std::log, std::log1p, std::max, std::min,
-    std::sqrt;
+    std::sqrt, std::floor;
 #include "common/models/shared_source.inc"
 }  // namespace
 }  // namespace f64
@@ -37,7 +38,8 @@ Angles<f64::Wide> widen(const Angles<double>& a) {
 
 Lobes<double> evaluate(const Reflection<double>& reflection, const Angles<double>& angles) {
   const auto lobes = f64::evaluate(reflection, widen(angles));
-  return {lobes.diffuse[0], lobes.specular[0], lobes.white[0], lobes.fresnel[0], lobes.cosine[0]};
+  return {lobes.diffuse[0], lobes.specular[0], lobes.white[0], lobes.fresnel[0],
+          lobes.cosine[0],  lobes.height[0],   lobes.spread[0]};
 }
 
 double slope(Slope which, const Reflection<double>::Parameters& parameters,
@@ -52,6 +54,17 @@ double attenuation(Attenuation which, double roughness, const Angles<double>& an
 double diffuse(DiffuseTerm which, const Reflection<double>::Parameters& parameters,
                const Angles<double>& angles) {
   return f64::diffuse_value(which, parameters, widen(angles))[0];
+}
+
+double ripples(double height, double spread, double nm) {
+  if (height < 0) return 1;
+  const double k = 2000 * std::numbers::pi / nm;
+  return f64::ripples_value({height}, {spread}, k * k)[0];
+}
+
+RoughMirror rough_mirror(const Reflection<double>::Parameters& parameters, double u) {
+  const auto mirror = f64::he_torrance_mirror(u, 1 - u, f64::unpack<f64::HeTorrance>(parameters));
+  return {mirror.masking, mirror.depth};
 }
 
 double schlick_fresnel(double u, double f) { return f64::schlick_fresnel(u, f); }

@@ -19,7 +19,7 @@ struct Angles {
 /// See shaders/models/lobes.glsl.
 template <class Number>
 struct Lobes {
-  Number diffuse, specular, white, fresnel, cosine;
+  Number diffuse, specular, white, fresnel, cosine, height, spread;
 };
 
 inline constexpr std::size_t max_parameters = 8;  ///< Of one line of models.def.

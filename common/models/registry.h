@@ -42,6 +42,7 @@ enum Trait : unsigned {
   conserving = 128,
   highlighted =
       256,  ///< Uses the material's specularness and, or its Fresnel term in place of it, C_S.
+  diffracting = 512,  ///< Its highlight's geometry depends on wavelength (Lobes::height).
 };
 
 struct Parameter {

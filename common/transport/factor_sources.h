@@ -17,6 +17,7 @@ struct FactorSources {
     const OpticalConstants* constants;           ///< Null where its Fresnel term is not exact.
     const Spectrum* transmittance = nullptr;     ///< Null where it absorbs nothing.
     const Fluorescence* fluorescence = nullptr;  ///< Null where it has none.
+    bool is_rough = false;  ///< Of He's model: it has lobes, and its mirror loses light.
   };
   std::vector<Material> materials;
   /// Where two media touch: n of the denser one (at the d line) by that of the other. No k.

@@ -14,6 +14,13 @@ std::vector<const Spectrum*> spectra_of(const OpticalConstants& source) {
   return {&source.n, &source.k};
 }
 
+std::vector<const Spectrum*> spectra_of(const FactorSources::Material& source) {
+  if (source.constants != nullptr)
+    return {&source.constants->n, &source.constants->k, &lobe_grid()};
+  return {source.specular, &lobe_grid()};
+}
+std::vector<const Spectrum*> spectra_of(const factors::Coherent::Source&) { return {&lobe_grid()}; }
+
 /// The spectra that a scene's factors are, or are made of, each once.
 struct Parts {
   std::vector<Spectrum> curves;           ///< What may be on a chain.

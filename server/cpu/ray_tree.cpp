@@ -253,10 +253,10 @@ void RayTree::mirror(const Branch& branch, const Hits& hits, unsigned lane, Chil
   const Eigen::Vector3f normal = lane_of(hits.normal, lane);
   Packet& to = children.reflected.packet;
   to.active[lane] = -1;
-  to.throughput[lane] *= from.mirror;
-  to.chain[lane] = workspace.gathers[packet.pixel[lane]].chain(
-      packet.chain[lane],
-      mirror_factor(from, material, std::clamp(-direction.dot(normal), 0.0f, 1.0f)));
+  float weight = to.throughput[lane];
+  to.chain[lane] = over_mirror(workspace.gathers[packet.pixel[lane]], packet.chain[lane], from,
+                               material, std::clamp(-direction.dot(normal), 0.0f, 1.0f), weight);
+  to.throughput[lane] = weight;
   set_lane(to.direction, reflect(direction, normal, lane_of(hits.geometric_normal, lane)), lane);
   set_lane(to.origin, lane_of(packet.point, lane), lane);
 }

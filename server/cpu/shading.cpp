@@ -1,5 +1,6 @@
 #include "server/cpu/shading.h"
 
+#include "common/scene/rough_lobe_table.h"
 #include "server/cpu/clear_shadows.h"
 #include "server/cpu/shared_source.h"
 #include "server/cpu/ticks.h"
@@ -63,7 +64,8 @@ Shading::Shading(const RenderScene& scene, const EmbreeScene& geometry, float fo
   }
   for (const RenderMaterial& material : scene.materials) {
     has_ambient_ |= material.has(models::has_ambient);
-    has_exact_ |= material.fresnel == FresnelKind::exact;
+    has_rough_ |= material.has(models::diffracting);
+    has_factors_ |= has_rough_ || material.fresnel == FresnelKind::exact;
   }
 }
 
@@ -191,6 +193,10 @@ Shading::Lobes Shading::evaluate_each(const Hits& hits, Int8 lanes, const Angles
     lobes.white = select(same, own.white, lobes.white);
     lobes.fresnel = select(same, own.fresnel, lobes.fresnel);
     lobes.cosine = select(same, own.cosine, lobes.cosine);
+    if (has_rough_) {
+      lobes.height = select(same, own.height, lobes.height);
+      lobes.spread = select(same, own.spread, lobes.spread);
+    }
     left &= ~same;
   }
   return lobes;
@@ -239,8 +245,12 @@ void Shading::interpolate(const Step& step, Int8 lanes, Lobes& lobes) const {
       lobes.specular += weight * own.specular[p];
       lobes.white += weight * own.white[p];
       if (own.fresnel[p] == 0) continue;
-      for (int i = 0; i < lane_count; ++i)
-        if (same[i]) gather_fresnel(step, i, own.cosine[p], weight[i] * own.fresnel[p]);
+      Lobes one{};
+      one.fresnel = select(same, weight * own.fresnel[p], Float8{});
+      one.cosine = metamer::broadcast(own.cosine[p]);
+      one.height = metamer::broadcast(own.height[p]);
+      one.spread = metamer::broadcast(own.spread[p]);
+      gather_factors(step, one);
     }
   }
 }
@@ -252,6 +262,41 @@ void Shading::gather_fresnel(const Step& step, int lane, float cosine, float wei
   const FactorNodes<float> nodes = expand<float>({FactorKind::fresnel, material, cosine});
   for (std::size_t j = 0; j < nodes.count; ++j)
     gather.add(step.packet.chain[i], step.light, nodes.node[j], weight * nodes.weight[j]);
+}
+
+/// Adds what of the lobes is no spectrum of the scene: Fresnel terms, and lobes of rough surfaces.
+void Shading::gather_factors(const Step& step, const Lobes& lobes) const {
+  if (has_rough_ && any((lobes.height >= 0.0f) & (lobes.fresnel != 0.0f)))
+    gather_rough(step, lobes);
+  for (int i = 0; i < lane_count; ++i)
+    if (lobes.fresnel[i] != 0 && !(has_rough_ && lobes.height[i] >= 0))
+      gather_fresnel(step, i, lobes.cosine[i], lobes.fresnel[i]);
+}
+
+/// A weight for each of the wavelengths at which the lobe's geometry is known, between two cosines.
+void Shading::gather_rough(const Step& step, const Lobes& lobes) const {
+  const Int8 rough = (lobes.height >= 0.0f) & (lobes.fresnel != 0.0f);
+  const Float8 height = select(rough, lobes.height, Float8{}),
+               spread = select(rough, lobes.spread, Float8{});
+  std::array<Float8, lobe_wavelengths> weights;
+  for (std::uint32_t w = 0; w < lobe_wavelengths; ++w)
+    weights[w] = lobes.fresnel * models::ripples(height, spread, static_cast<float>(lobe_nm(w)));
+  for (int lane = 0; lane < lane_count; ++lane) {
+    if (!rough[lane]) continue;
+    const auto i = static_cast<std::size_t>(lane);
+    Gather& gather = step.workspace.gathers[step.packet.pixel[i]];
+    const auto material = static_cast<std::uint32_t>(step.hits.material[i]);
+    // C_S is the same at all angles: that of light at right angles.
+    const FresnelPlace place = lobe_place(
+        scene_.materials[material].fresnel == FresnelKind::none ? 1 : lobes.cosine[lane]);
+    for (std::uint32_t w = 0; w < lobe_wavelengths; ++w) {
+      const FactorNode below{FactorKind::lobe, material, place.below * lobe_wavelengths + w};
+      const FactorNode above{FactorKind::lobe, material, below.node + lobe_wavelengths};
+      const float weight = weights[w][lane];
+      gather.add(step.packet.chain[i], step.light, below, weight * (1 - place.fraction));
+      gather.add(step.packet.chain[i], step.light, above, weight * place.fraction);
+    }
+  }
 }
 
 /// Adds weighted lobes where they are gathered; the lanes that have none hold zeros.
@@ -266,9 +311,7 @@ void Shading::gather(const Step& step, Lobes lobes, Int8 lanes) const {
     lobes.diffuse *= step.places.own_diffuse;
   }
   const Places& places = step.places;
-  if (has_exact_)
-    for (int i = 0; i < lane_count; ++i)
-      if (lobes.fresnel[i] != 0) gather_fresnel(step, i, lobes.cosine[i], lobes.fresnel[i]);
+  if (has_factors_) gather_factors(step, lobes);
   if (places.together) {
     LobeWeights& to = workspace.gathers[step.packet.pixel[places.first]].weights(
         places.surface[places.first], step.light);

@@ -82,6 +82,8 @@ class Shading {
   void gather(const Step& step, Lobes lobes, Int8 lanes) const;
   static void scale(Lobes& lobes, Float8 factor);
   static void gather_fresnel(const Step& step, int lane, float cosine, float weight);
+  void gather_factors(const Step& step, const Lobes& lobes) const;
+  void gather_rough(const Step& step, const Lobes& lobes) const;
 
   const RenderScene& scene_;
   const EmbreeScene& geometry_;
@@ -90,7 +92,7 @@ class Shading {
   Texturing texturing_;
   soft::SoftLights soft_;
   NeededAngles needed_;
-  bool has_ambient_ = false, has_exact_ = false;
+  bool has_ambient_ = false, has_factors_ = false, has_rough_ = false;
 };
 
 }  // namespace metamer::cpu

@@ -165,9 +165,10 @@ void Tracer::reflect(Packet& packet, const Hits& hits, Workspace& workspace) con
     const auto material = static_cast<std::uint32_t>(hits.material[i]);
     const RenderMaterial& from = scene_.materials[material];
     if (from.mirror > 0) {
-      packet.throughput[i] *= from.mirror;
-      packet.chain[i] = workspace.gathers[packet.pixel[i]].chain(
-          packet.chain[i], mirror_factor(from, material, incidence[i]));
+      float weight = packet.throughput[i];
+      packet.chain[i] = over_mirror(workspace.gathers[packet.pixel[i]], packet.chain[i], from,
+                                    material, incidence[i], weight);
+      packet.throughput[i] = weight;
     } else {
       packet.active[i] = 0;
     }

@@ -137,6 +137,7 @@ v1::SceneFactors scene_factors(const RenderScene& scene) {
     to.set_name(material.name);
     set_spectrum(scene.properties[material.diffuse], *to.mutable_diffuse());
     set_spectrum(scene.properties[material.specular], *to.mutable_specular());
+    to.set_rough(material.has(models::diffracting));
     if (material.fluorescence) to.set_fluorescence(*material.fluorescence);
     if (absorbs(scene, material))
       set_spectrum(scene.properties[scene.media[material.medium].transmittance],

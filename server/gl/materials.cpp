@@ -1,9 +1,11 @@
 #include "server/gl/materials.h"
 
+#include <algorithm>
 #include <bit>
 #include <functional>
 #include <set>
 
+#include "common/scene/rough_lobe_table.h"
 #include "server/gl/model_source.h"
 
 namespace metamer::gl {
@@ -24,6 +26,7 @@ enum Place : std::uint32_t {
   diffuse_row,
   specular_row,
   first_node,
+  first_lobe,
   ambient,
   parameters,
   diffuse_parameters = parameters + parameter_count,
@@ -58,6 +61,21 @@ class Used {
 
   std::set<std::pair<Kind, unsigned char>> used_;
 };
+
+/// What add_rough of shaders/stages/reflect.glsl looks at.
+std::string rough_source(const RenderScene& scene) {
+  const bool has_rough =
+      std::any_of(scene.materials.begin(), scene.materials.end(),
+                  [](const RenderMaterial& m) { return m.has(models::diffracting); });
+  const std::string count = std::to_string(lobe_wavelengths);
+  std::string text = std::string("const bool has_rough = ") + (has_rough ? "true" : "false") +
+                     ";\nconst int lobe_cosines = " + std::to_string(lobe_cosines) +
+                     ", lobe_wavelengths = " + count + ";\nconst float lobe_nm[" + count +
+                     "] = float[" + count + "](";
+  for (std::uint32_t w = 0; w < lobe_wavelengths; ++w)
+    text += (w ? ", " : "") + std::to_string(lobe_nm(w));
+  return text + ");\n";
+}
 
 std::string number(std::uint32_t value) { return std::to_string(value) + "u"; }
 
@@ -97,6 +115,7 @@ Words material_words(const RenderScene& scene, const FactorRows& rows) {
     words[diffuse_row] = rows.direct_diffuse(m);
     words[specular_row] = rows.specular(m);
     words[first_node] = rows.row({FactorKind::fresnel, m, 0});
+    if (material.has(models::diffracting)) words[first_lobe] = rows.row({FactorKind::lobe, m, 0});
     words[ambient] = material.has(models::has_ambient);
     set(words, parameters, own.parameters);
     set(words, diffuse_parameters, own.diffuse_parameters);
@@ -122,7 +141,9 @@ std::string material_source(const RenderScene& scene) {
   constant("material_diffuse", diffuse_row);
   constant("material_specular", specular_row);
   constant("material_first_node", first_node);
+  constant("material_first_lobe", first_lobe);
   constant("material_ambient", ambient);
+  text += rough_source(scene);
   const NeededAngles needed = needed_angles(scene);
   text += std::string("const bool needs_azimuth = ") + (needed.azimuth ? "true" : "false") +
           ", needs_tangent = " + (needed.tangent ? "true" : "false") + ";\n";
@@ -157,7 +178,7 @@ std::string material_source(const RenderScene& scene) {
   // The models.
   text +=
       "Lobes reflection(uint base, Angles angles) {\n    Terms terms = terms_of(base, angles);\n"
-      "    Lobes lobes = Lobes(0.0, 0.0, 0.0, 0.0, 0.0);\n";
+      "    Lobes lobes = Lobes(0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0);\n";
   text +=
       choice(Kind::model, used, "word_of[base + " + number(model) + "]", [](const Entry& entry) {
         return "lobes = " + function_name(entry) + "(angles, terms, " +

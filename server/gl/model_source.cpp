@@ -58,8 +58,9 @@ std::string prelude() {
 
 std::string model_source(const std::function<bool(const Entry&)>& wanted) {
   std::string text = prelude();
-  for (const char* path : {"models/lobes.glsl", "fresnel/schlick.glsl", "fresnel/fresnel.glsl",
-                           "fresnel/fold.glsl", "fresnel/nodes.glsl"})
+  for (const char* path :
+       {"models/lobes.glsl", "models/masking.glsl", "models/ripples.glsl", "fresnel/schlick.glsl",
+        "fresnel/fresnel.glsl", "fresnel/fold.glsl", "fresnel/nodes.glsl"})
     text += shader_text(path);
   for (const Kind kind : {Kind::model, Kind::diffuse, Kind::slope, Kind::attenuation}) {
     for (const Entry& entry : models::registry(kind))

@@ -14,6 +14,13 @@ namespace {
 /// greys.
 constexpr std::uint32_t longest_probed = 12;
 
+/// Two factors each.
+bool has_rough_mirrors(const RenderScene& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(), [](const RenderMaterial& m) {
+    return m.mirror > 0 && m.has(models::diffracting);
+  });
+}
+
 SceneBands scene_bands(const RenderScene& scene, const Observer& observer, std::uint32_t depth,
                        std::uint32_t bounces) {
   std::set<std::pair<FactorKind, std::uint32_t>> passed;
@@ -24,6 +31,7 @@ SceneBands scene_bands(const RenderScene& scene, const Observer& observer, std::
   for (const Spectrum& emission : scene.emissions) emissions.push_back(&emission);
   for (const RenderScene::Reradiated& one : scene.reradiated) emissions.push_back(&one.power);
   std::uint32_t longest = passed.empty() ? 0 : depth;
+  if (has_rough_mirrors(scene)) longest = std::max(longest, std::min(2 * longest, longest_probed));
   // At each clear surface an interface, and a way through what lies behind it; to the light again.
   if (!scene.media.empty()) longest = std::min(2 * depth + 4, longest_probed);
   if (bounces > 0) {

@@ -1,8 +1,13 @@
 #include "server/methods/scene_spectra.h"
 
+#include <cmath>
+#include <numbers>
 #include <set>
 
+#include "common/models/reference.h"
 #include "common/scene/fresnel_table.h"
+#include "common/scene/rough_lobe_table.h"
+#include "common/scene/rough_mirror_table.h"
 
 namespace metamer {
 namespace {
@@ -25,6 +30,38 @@ void add(const Spectrum& property, const Wavelengths& wavelengths,
   columns.push_back(to_vector(resample(property, wavelengths.nm(), Outside::hold).values));
 }
 
+/// The Fresnel term at right angles, or C_S.
+std::vector<double> reflected(const RenderScene& scene, const RenderMaterial& material,
+                              const std::vector<double>& nm) {
+  if (material.fresnel == FresnelKind::exact)
+    return fresnel_at(resample(scene.constants[material.constants], nm), 1);
+  return resample(scene.properties[material.specular], nm, Outside::hold).values;
+}
+
+/// Of a rough lobe, in the mirrored direction and where half, and nearly all, of its light is gone.
+void add_lobes(const RenderScene& scene, const RenderMaterial& material,
+               const Wavelengths& wavelengths, std::vector<Eigen::VectorXd>& columns) {
+  const Eigen::VectorXd fresnel = to_vector(reflected(scene, material, wavelengths.nm()));
+  const double height = 4 * std::pow(double{material.reflection.parameters[2]}, 2);
+  for (const double depth : {0.0, 0.7, 4.0}) {
+    // Terms fade with s/g where there are many, with s where there is one.
+    const double k2 = std::pow(2 * std::numbers::pi / 0.55, 2);
+    const double spread = depth * std::max(height * k2, 1.0) / k2;
+    std::vector<double> values;
+    for (const double nm : wavelengths.nm())
+      values.push_back(models::ripples(height, spread, nm) / models::ripples(height, spread, 550));
+    columns.push_back(fresnel.cwiseProduct(to_vector(values)));
+  }
+}
+
+/// Of a rough mirror, at some depths.
+void add_rough_mirrors(const RenderScene& scene, const RenderMaterial& material,
+                       const Wavelengths& wavelengths, std::vector<Eigen::VectorXd>& columns) {
+  const Eigen::VectorXd fresnel = to_vector(reflected(scene, material, wavelengths.nm()));
+  for (const double depth : {0.036, 0.07})
+    columns.push_back(fresnel.cwiseProduct(to_vector(rough_mirror(depth, wavelengths.nm()))));
+}
+
 }  // namespace
 
 Eigen::VectorXd to_vector(const std::vector<double>& values) {
@@ -43,6 +80,8 @@ std::vector<double> surface_edges(const RenderScene& scene) {
     spectra.push_back(&constants.k);
   }
   for (const Spectrum& window : scene.windows) spectra.push_back(&window);
+  for (const RenderMaterial& material : scene.materials)
+    if (material.has(models::diffracting)) spectra.push_back(&lobe_grid());
   return cell_edges(spectra);
 }
 
@@ -107,6 +146,8 @@ Eigen::MatrixXd surface_columns(const RenderScene& scene, const Wavelengths& wav
   std::vector<Eigen::VectorXd> columns;
   for (const Spectrum& property : scene.properties) add(property, wavelengths, columns);
   for (const OpticalConstants& constants : scene.constants) add(constants, wavelengths, columns);
+  for (const RenderMaterial& material : scene.materials)
+    if (material.has(models::diffracting)) add_lobes(scene, material, wavelengths, columns);
   return to_matrix(columns, static_cast<Eigen::Index>(wavelengths.size()));
 }
 
@@ -124,6 +165,9 @@ Eigen::MatrixXd mirror_columns(const RenderScene& scene, const Wavelengths& wave
   std::vector<Eigen::VectorXd> columns;
   for (const std::uint32_t i : properties) add(scene.properties[i], wavelengths, columns);
   for (const std::uint32_t i : constants) add(scene.constants[i], wavelengths, columns);
+  for (const RenderMaterial& material : scene.materials)
+    if (material.mirror > 0 && material.has(models::diffracting))
+      add_rough_mirrors(scene, material, wavelengths, columns);
   for (const Spectrum& window : scene.windows) add(window, wavelengths, columns);
   return to_matrix(columns, static_cast<Eigen::Index>(wavelengths.size()));
 }

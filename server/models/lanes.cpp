@@ -31,6 +31,7 @@ Real asin(Real x) { return ::asinf(x); }
 Real erf(Real x) { return ::erff(x); }
 Real sqrt(Real x) { return __builtin_sqrtf(x); }
 Real fma(Real x, Real y, Real z) { return __builtin_fmaf(x, y, z); }
+Real floor(Real x) { return __builtin_floorf(x); }
 Real abs(Real x) { return __builtin_fabsf(x); }
 Real min(Real a, Real b) { return a < b ? a : b; }
 Real max(Real a, Real b) { return a > b ? a : b; }
@@ -40,6 +41,14 @@ Real max(Real a, Real b) { return a > b ? a : b; }
 
 Lobes<Float8> evaluate(const Reflection<float>& reflection, const Angles<Float8>& angles) {
   return f32::evaluate(reflection, angles);
+}
+Float8 ripples(Float8 height, Float8 spread, float nm) {
+  const float k = 6283.1853f / nm;
+  return f32::ripples_value(height, spread, k * k);
+}
+RoughMirrorF32 rough_mirror(const Reflection<float>::Parameters& parameters, float u) {
+  const auto mirror = f32::he_torrance_mirror(u, 1 - u, f32::unpack<f32::HeTorrance>(parameters));
+  return {mirror.masking, mirror.depth};
 }
 Float8 slope(Slope which, const Reflection<float>::Parameters& parameters,
              const Angles<Float8>& angles) {

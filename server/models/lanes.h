@@ -8,6 +8,15 @@ namespace metamer::models {
 /// The model for eight points of one material, in f32 by the shared sources.
 Lobes<Float8> evaluate(const Reflection<float>& reflection, const Angles<Float8>& angles);
 
+/// What lobes whose geometry depends on wavelength are multiplied by, at a wavelength: see
+/// shaders/models/ripples.glsl. Their heights are not negative.
+Float8 ripples(Float8 height, Float8 spread, float nm);
+/// As in common/models/reference.h.
+struct RoughMirrorF32 {
+  float masking, depth;
+};
+RoughMirrorF32 rough_mirror(const Reflection<float>::Parameters& parameters, float u);
+
 /// The parts by themselves, for tests.
 Float8 slope(Slope which, const Reflection<float>::Parameters& parameters,
              const Angles<Float8>& angles);

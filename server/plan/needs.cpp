@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "common/scene/rough_lobe_table.h"
 #include "server/methods/exact.h"
 
 namespace metamer {
@@ -95,6 +96,15 @@ void need_fresnel(const std::vector<const RenderMaterial*>& materials, v1::Plan&
   if (exact.empty()) plan.add_unneeded("Fresnel tables over the cosine: no material has n and k");
 }
 
+void need_rough_lobes(const std::vector<const RenderMaterial*>& materials, v1::Plan& plan) {
+  const auto rough =
+      names_of(materials, [](const RenderMaterial& m) { return m.has(models::diffracting); });
+  if (!rough.empty())
+    plan.add_need(print("lobes that depend on wavelength for their geometry, at %u wavelengths: ",
+                        static_cast<unsigned>(lobe_wavelengths)) +
+                  named(rough));
+}
+
 void need_fluorescence(const std::vector<const RenderMaterial*>& materials, v1::Plan& plan) {
   const auto bright =
       names_of(materials, [](const RenderMaterial& m) { return m.fluorescence.has_value(); });
@@ -181,6 +191,7 @@ void list_needs(const RenderScene& scene, const Capabilities& capabilities, v1::
   need_spectra(scene, plan);
   need_models(materials, plan);
   need_fresnel(materials, plan);
+  need_rough_lobes(materials, plan);
   need_fluorescence(materials, plan);
   need_rays(scene, materials, capabilities, plan);
   if (materials.size() < scene.materials.size())

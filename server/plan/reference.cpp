@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "common/scene/rough_lobe_table.h"
 #include "server/methods/direct_errors.h"
 
 namespace metamer {
@@ -16,6 +17,8 @@ Wavelengths Reference::cells(const RenderScene& scene, const Observer& observer)
     spectra.push_back(&constants.k);
   }
   for (const Spectrum& window : scene.windows) spectra.push_back(&window);
+  for (const RenderMaterial& material : scene.materials)
+    if (material.has(models::diffracting)) spectra.push_back(&lobe_grid());
   return cells_of(spectra);
 }
 

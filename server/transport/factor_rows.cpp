@@ -17,7 +17,8 @@ FactorSources factor_sources(const RenderScene& scene) {
          material.fresnel == FresnelKind::exact ? &scene.constants[material.constants] : nullptr,
          absorbs(scene, material) ? &scene.properties[scene.media[material.medium].transmittance]
                                   : nullptr,
-         material.fluorescence ? &scene.fluorescences[*material.fluorescence] : nullptr});
+         material.fluorescence ? &scene.fluorescences[*material.fluorescence] : nullptr,
+         material.has(models::diffracting)});
   for (const RenderInterface& interface : scene.interfaces)
     sources.interfaces.push_back(&scene.constants[interface.constants]);
   for (const Spectrum& window : scene.windows) sources.windows.push_back(&window);

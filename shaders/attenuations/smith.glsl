@@ -5,18 +5,7 @@
 //     g = √(πq) e^q (2 − erfc √q),   q = x²/(2σ²(1 − x²))
 //
 // The source prints g − 1, no e^q and 4σ²: as printed G is negative or above 1. With 2σ² its slope at
-// the horizon is that of its own approximation E[2.2-20]. Evaluated as g′/(g′ + e^−q), g′ = g e^−q,
-// and divided by x: no overflow as x → 1, no 0/0 as x → 0.
-
-// G(x)/x, v = 1 − x; at x = 0 it is √(π/2)/σ.
-Real smith_over_cosine(Real x, Real v, Real roughness) {
-    Real sine = sqrt(v * (Real(1) + x));
-    Real inverse = roughness * Real(1.41421356237309504880) * sine;  // √2 σ sin θ = x/√q
-    Real root = x / max(inverse, Real(1e-30));
-    Real rising = Real(1.77245385090551602730) * (Real(1) + erf(root));
-    return rising / (rising * x + inverse * exp(-(root * root)));
-}
-
+// the horizon is that of its own approximation E[2.2-20]. G(x)/x: models/masking.glsl.
 Real smith_attenuation(Angles angles, Real roughness) {
     return angles.n_dot_l * smith_over_cosine(angles.n_dot_l, angles.n_l_versine, roughness) *
            smith_over_cosine(angles.n_dot_v, angles.n_v_versine, roughness);

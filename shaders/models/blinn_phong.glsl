@@ -12,5 +12,7 @@ Lobes blinn_phong(Angles angles, Terms terms, BlinnPhong m) {
     lobes.white = Real(0);
     lobes.fresnel = Real(0);
     lobes.cosine = Real(0);
+    lobes.height = Real(-1);
+    lobes.spread = Real(0);
     return lobes;
 }

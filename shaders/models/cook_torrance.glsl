@@ -14,5 +14,7 @@ Lobes cook_torrance(Angles angles, Terms terms, CookTorrance m) {
     lobes.white = Real(0);
     lobes.fresnel = angles.n_dot_l > Real(0) ? highlight : Real(0);
     lobes.cosine = angles.v_dot_h;
+    lobes.height = Real(-1);
+    lobes.spread = Real(0);
     return lobes;
 }

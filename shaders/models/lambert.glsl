@@ -10,5 +10,7 @@ Lobes lambert(Angles angles, Terms terms, Lambert m) {
     lobes.white = Real(0);
     lobes.fresnel = Real(0);
     lobes.cosine = Real(0);
+    lobes.height = Real(-1);
+    lobes.spread = Real(0);
     return lobes;
 }

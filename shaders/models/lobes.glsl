@@ -33,13 +33,17 @@ struct Terms {
 
 // The weights of one light's reflection:
 //     ρ(λ) = diffuse C_D(λ) + specular C_S(λ) + white + fresnel F(cosine; λ)
-// They hold N·L where the model's equation does. Where the material has no Fresnel term F is C_S.
+// They hold N·L where the model's equation does. Where the material has no Fresnel term F is C_S. Where `height`
+// is not negative the last one depends on wavelength for its geometry, too: it is to be multiplied by ripples
+// (ripples.glsl) of them.
 struct Lobes {
     Real diffuse;
     Real specular;
     Real white;
     Real fresnel;
     Real cosine;
+    Real height;  // g = (σ v_z)² at a wave number of 1/µm, µm²
+    Real spread;  // (τ v_xy)²/4 there, µm²
 };
 
 // xⁿ of a cosine x, v = 1 − x; n > 0. Next to 1 by ln(1 − v), as n may be large: a rounding of x would

@@ -15,5 +15,7 @@ Lobes phong(Angles angles, Terms terms, Phong m) {
     lobes.white = Real(0);
     lobes.fresnel = angles.n_dot_l > Real(0) ? highlight : Real(0);
     lobes.cosine = angles.n_dot_l;
+    lobes.height = Real(-1);
+    lobes.spread = Real(0);
     return lobes;
 }

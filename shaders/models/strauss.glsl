@@ -51,5 +51,7 @@ Lobes strauss(Angles angles, Terms terms, Strauss m) {
     lobes.white = highlight * ((Real(1) - m.metalness) + m.metalness * fresnel);
     lobes.fresnel = Real(0);
     lobes.cosine = Real(0);
+    lobes.height = Real(-1);
+    lobes.spread = Real(0);
     return lobes;
 }

@@ -17,5 +17,7 @@ Lobes ward_phong(Angles angles, Terms terms, WardPhong m) {
     lobes.white = Real(0);
     lobes.fresnel = Real(0);
     lobes.cosine = Real(0);
+    lobes.height = Real(-1);
+    lobes.spread = Real(0);
     return lobes;
 }

@@ -21,6 +21,6 @@ void main() {
         Lobes lobes = place_lobes(light, triangle, object, side, shading, base, i);
         uint at = place_index(light, triangle, i);
         place_of_light[at] = vec4(lobes.diffuse, lobes.specular, lobes.white, lobes.fresnel);
-        place_of_light[at + 1u] = vec4(lobes.cosine, 0.0, 0.0, 0.0);
+        place_of_light[at + 1u] = vec4(lobes.cosine, lobes.height, lobes.spread, 0.0);
     }
 }

@@ -16,9 +16,30 @@ void add_fresnel(uint light, uint base, float u, float weight) {
     take_row(light, row + 1u, weight * fraction);
 }
 
+// A lobe whose geometry depends on wavelength is known at lobe_wavelengths (common/scene/rough_lobe_table.h). C_S is the same
+// at all cosines: that at 1.
+void add_rough(uint light, uint base, Lobes lobes, float weight) {
+    float last = float(lobe_cosines - 1);
+    float u = word_of[base + material_fresnel] == uint(fresnel_none) ? 1.0 : lobes.cosine;
+    float below = node_below(u, last);
+    float fraction = node_share(u, below, last);
+    uint row = word_of[base + material_first_lobe] + uint(below) * uint(lobe_wavelengths);
+    for (int w = 0; w < lobe_wavelengths; ++w) {
+        float k = 6283.1853 / lobe_nm[w];
+        Ripples r = ripples_of(lobes.height, lobes.spread, k * k, 5.0, 24.0, 1.0);
+        float sum = 0.0;
+        for (float i = 0.0; i < r.count; ++i) sum += ripple(r, k * k, i);
+        take_row(light, row + uint(w), weight * lobes.fresnel * sum * (1.0 - fraction));
+        take_row(light, row + uint(lobe_wavelengths + w), weight * lobes.fresnel * sum * fraction);
+    }
+}
+
 void add_lobes(uint light, uint base, Lobes lobes, float weight) {
     lobes = fold_fresnel(lobes, int(word_of[base + material_fresnel]));
-    if (lobes.fresnel != 0.0) add_fresnel(light, base, lobes.cosine, weight * lobes.fresnel);
+    if (lobes.fresnel != 0.0 && has_rough && lobes.height >= 0.0)
+        add_rough(light, base, lobes, weight);
+    else if (lobes.fresnel != 0.0)
+        add_fresnel(light, base, lobes.cosine, weight * lobes.fresnel);
     weights += weight * vec3(lobes.diffuse, lobes.specular, lobes.white);
 }
 
@@ -37,7 +58,7 @@ Lobes place_lobes(uint light, uint triangle, uint object, vec3 side, uint shadin
 }
 
 // The same for all samples of a picture: places.comp.glsl has evaluated them, where they fit into memory.
-layout(std430, binding = 3) buffer Places { vec4 place_of_light[]; };  // two each: lobes; their cosine
+layout(std430, binding = 3) buffer Places { vec4 place_of_light[]; };  // two each: lobes; their cosine, height, spread
 uniform uint places_of_triangle;  // 0: there are none
 uniform uint triangle_count;
 
@@ -50,7 +71,8 @@ Lobes lobes_at_place(uint light, Surface surface, uint shading, uint base, uint 
         return place_lobes(light, surface.triangle, surface.object, surface.side, shading, base, index);
     uint at = place_index(light, surface.triangle, index);
     vec4 four = place_of_light[at];
-    return Lobes(four.x, four.y, four.z, four.w, place_of_light[at + 1u].x);
+    vec4 more = place_of_light[at + 1u];
+    return Lobes(four.x, four.y, four.z, four.w, more.x, more.y, more.z);
 }
 
 void reflect_light(uint light, Surface surface, vec3 direction) {

@@ -8,9 +8,10 @@
 namespace metamer::extremes {
 
 /// The files of the table.
-inline constexpr const char* files[] = {
-    "models",         "slopes",         "attenuations",         "diffuse",        "fresnel",
-    "vectors/models", "vectors/slopes", "vectors/attenuations", "vectors/diffuse"};
+inline constexpr const char* files[] = {"models",         "slopes",         "attenuations",
+                                        "diffuse",        "fresnel",        "ripples",
+                                        "vectors/models", "vectors/slopes", "vectors/attenuations",
+                                        "vectors/diffuse"};
 
 enum class Build { f64, f32, glsl };
 
@@ -20,7 +21,7 @@ struct Bound {
   double smallest, largest;  ///< The normal numbers of its type.
 };
 /// From vectors it is wider than from cosines: their angles are rounded before a model sees them.
-Bound bound(Build build, bool from_vectors);
+Bound bound(Build build, const Row& row);
 
 /// What the build makes of each row: as many values as the row has, or none where the row's inputs
 /// don't fit the build's type. For Build::glsl see gl_build.h.

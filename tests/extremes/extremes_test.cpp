@@ -12,9 +12,9 @@ constexpr int most_told =
 void expect_agreement(const std::vector<Row>& rows, const Values& values, Build build) {
   ASSERT_GT(rows.size(), 50u);
   ASSERT_EQ(rows.size(), values.size());
-  const Bound allowed = bound(build, rows[0].from_vectors);
   int missed = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Bound allowed = bound(build, rows[i]);
     const Error error = compare(rows[i], values[i], allowed);
     if (error.within || ++missed > most_told) continue;
     ADD_FAILURE() << allowed.name << " is off by " << error.size << " at " << where(rows[i]) << ": "

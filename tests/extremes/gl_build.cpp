@@ -12,11 +12,11 @@ namespace {
 using models::Entry, models::Kind;
 
 // A row in the shader's input: the angles, the vectors or u, its parameters, and a number and the
-// parameters of each of its parts. Its output: five lobes, or one value.
+// parameters of each of its parts. Its output: the members of Lobes, or one value.
 constexpr std::size_t parameter_count = models::max_parameters + 2;
 constexpr std::size_t parameters_at = 13, parts_at = parameters_at + parameter_count;
 constexpr std::size_t part_size = 1 + parameter_count, stride = parts_at + 3 * part_size;
-constexpr std::size_t lobe_count = 5;
+constexpr std::size_t lobe_count = 7;
 constexpr std::size_t group_size = 64;
 
 std::string from_input(std::size_t at) { return "input_of[at + " + std::to_string(at) + "]"; }
@@ -70,8 +70,18 @@ std::string angles_text(bool from_vectors) {
   return text + from_input(12) + ", true, true)";
 }
 
+/// As shaders/stages/reflect.glsl has it; the answer is `sum`.
+std::string ripples(const std::string& height, const std::string& spread, const std::string& nm) {
+  return "  float k = 6283.1853 / " + nm + ";\n  Ripples r = ripples_of(" + height + ", " + spread +
+         ", k * k, 5.0, 24.0, 1.0);\n  float sum = 0.0;\n"
+         "  for (float i = 0.0; i < r.count; ++i) sum += ripple(r, k * k, i);\n";
+}
+
 std::string body(const Row& row) {
   if (row.kind == "fresnel") return "  output_of[to] = " + fresnel_call(row.form) + ";\n";
+  if (row.kind == "ripples")
+    return ripples(from_input(0), from_input(1), from_input(parameters_at)) +
+           "  output_of[to] = sum;\n";
   std::string text = "  Angles a = " + angles_text(row.from_vectors) + ";\n";
   const auto index = static_cast<std::size_t>(index_of(kind_of(row), row.form));
   const Entry& entry =
@@ -80,10 +90,13 @@ std::string body(const Row& row) {
   text += "  Terms terms = Terms(" + choice(Kind::diffuse, parts_at, "a.n_dot_l") + ",\n    " +
           choice(Kind::slope, parts_at + part_size, "0.0") + ",\n    " +
           choice(Kind::attenuation, parts_at + 2 * part_size, "0.0") + ");\n";
+  const std::string ripples_text = ripples("lobes.height", "lobes.spread", "550.0");
   text += "  Lobes lobes = " + gl::function_name(entry) + "(a, terms" +
           struct_from(entry, parameters_at) + ");\n";
+  if (row.from_vectors)
+    text += "  if (lobes.height >= 0.0) {\n" + ripples_text + "  lobes.fresnel *= sum;\n  }\n";
   int i = 0;
-  for (const char* lobe : {"diffuse", "specular", "white", "fresnel", "cosine"})
+  for (const char* lobe : {"diffuse", "specular", "white", "fresnel", "cosine", "height", "spread"})
     text += "  output_of[to + " + std::to_string(i++) + "] = lobes." + lobe + ";\n";
   return text;
 }
@@ -115,7 +128,9 @@ void fill(float* to, const Row& row) {
   const auto copy = [](const std::vector<double>& from, float* where) {
     std::transform(from.begin(), from.end(), where, [](double x) { return static_cast<float>(x); });
   };
-  copy(row.kind == "fresnel" || row.from_vectors ? row.inputs : all_of(angles(row)), to);
+  copy(row.kind == "fresnel" || row.kind == "ripples" || row.from_vectors ? row.inputs
+                                                                          : all_of(angles(row)),
+       to);
   copy(row.parameters, to + parameters_at);
   to += parts_at;
   const auto add_part = [&](Kind kind, const std::string& text) {

@@ -60,8 +60,7 @@ Tables collect() {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       std::map<Build, Error> errors;
       for (const auto& [build, all] : values) {
-        if (!all[i].empty())
-          errors[build] = compare(rows[i], all[i], bound(build, rows[i].from_vectors));
+        if (!all[i].empty()) errors[build] = compare(rows[i], all[i], bound(build, rows[i]));
       }
       add(lines_of(tables, names + rows[i].form), rows[i], errors);
     }

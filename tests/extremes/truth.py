@@ -319,6 +319,18 @@ def models():
                          for part in (diffuse_part, slope, attenuation)), lobes, [peak])
 
 
+def ripples():
+    """Heights and spreads at a wavelength, in µm²: g from 1e-7 to 1e5, few terms and many; and far beside the peak."""
+    nm = 550.0
+    for height in (0.0, f32(1e-30), f32(1e-9), 2.0 ** -12, 2.0 ** -9, 2.0 ** -7, 0.015625, 0.03125, 0.0625, 0.09375,
+                   0.125, 0.25, 0.3125, 0.375, 0.5, 1.0, 8.0, 64.0, 400.0):
+        for spread in (0.0, f32(1e-6), 2.0 ** -12, 2.0 ** -8, 0.03125, 0.125, 0.5, 2.0, 16.0, 1000.0):
+            g, s = height * (2 * math.pi / 0.55) ** 2, spread * (2 * math.pi / 0.55) ** 2
+            tags = ["height 0"] * (height == 0) + ["spread 0"] * (spread == 0)
+            yield ("ripples", tags, [height, spread], [nm], "", "", "", [truth.ripples(mpf(height), mpf(spread), mpf(nm))],
+                   [truth.ripples(mpf(height), mpf(0), mpf(nm))])
+
+
 def write(name, rows, digits=None):
     """Rows as above; with `digits` the inputs are f32 numbers and the values have so many digits."""
     header = "form,extremes,inputs,parameters,diffuse,slope,attenuation,values,peak"
@@ -332,5 +344,5 @@ def write(name, rows, digits=None):
 
 
 if __name__ == "__main__":
-    for each in (slopes, attenuations, diffuse, fresnel, models):
+    for each in (slopes, attenuations, diffuse, fresnel, models, ripples):
         write(each.__name__, each())

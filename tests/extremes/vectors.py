@@ -57,6 +57,10 @@ def sharpnesses(kind, name):
 
 def widths(kind, name, values):
     """Of the lobe, as slopes of H along T and across it."""
+    if name == "he_torrance":  # From where the rough surface's slopes, or diffraction, make it that wide.
+        sigma, tau = values
+        width = min(max(2 * sigma / tau, 0.09 / tau), 1)
+        return width, width
     result = []
     for (label, _, low, high), value in zip(TABLE[kind, name], values):
         if label.startswith("roughness"):
@@ -180,6 +184,14 @@ def model_sets(name):
                 yield ([f"D {slope}", f"G {attenuation}"], half, (slope, *own), (attenuation, own[0]))
 
 
+def at_wavelength(lobes):
+    """With the geometry of a lobe that depends on wavelength, at 550 nm, and nothing more of it."""
+    if len(lobes) == 5:
+        return lobes
+    diffuse, specular, white, fresnel, cosine, height, spread = lobes
+    return diffuse, specular, white, fresnel * definitions.ripples(height, spread, mpf(550)), cosine
+
+
 def models():
     for name, form in definitions.MODELS.items():
         for parameter_tags, values, slope, attenuation in model_sets(name):
@@ -194,11 +206,11 @@ def models():
                     slope_peak = definitions.peak_of_slope(slope[0], a.m2, own)
                     t.attenuation = definitions.ATTENUATIONS[attenuation[0]](
                         a.j, a.k, a.h, a.i, mpf(attenuation[1]))
-                peak = form(SimpleNamespace(**vars(a) | {"h": mpf(1), "l": mpf(1)}),
-                            SimpleNamespace(**vars(t) | {"slope": slope_peak}), p)
+                peak = at_wavelength(form(SimpleNamespace(**vars(a) | {"h": mpf(1), "l": mpf(1)}),
+                                          SimpleNamespace(**vars(t) | {"slope": slope_peak}), p))
                 yield (name, parameter_tags + tags, inputs, values, "",
                        *(f"{part[0]} {text(part[1:])}" if part else "" for part in (slope, attenuation)),
-                       form(a, t, p), [max(peak[1:4])])
+                       at_wavelength(form(a, t, p)), [max(peak[1:4])])
 
 
 if __name__ == "__main__":

@@ -97,7 +97,8 @@ double hemispherical_reflectance(const models::Reflection<double>& reflection,
       // Add its share: dω of V is 4 (V·H) dω of H.
       const auto lobes = models::evaluate(
           reflection, models::angles_between(normal, tangent, to_light, to_viewer));
-      const double rho = lobes.diffuse + lobes.specular + lobes.white + lobes.fresnel;
+      const double rho =
+          lobes.diffuse + lobes.specular + lobes.white + models::fresnel_weight(lobes);
       sum += rho * to_viewer.z() * 4 * i_cosine * sine * sine * cosine * step * turn;
     }
   }

@@ -8,5 +8,7 @@ Lobes toy(Angles angles, Terms terms, Toy m) {
     lobes.white = angles.n_dot_h > m.edge ? m.specularness : Real(0);
     lobes.fresnel = Real(0);
     lobes.cosine = Real(0);
+    lobes.height = Real(-1);
+    lobes.spread = Real(0);
     return lobes;
 }

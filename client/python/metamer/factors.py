@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 from google.protobuf.message import DecodeError
 
-from metamer import absorption
+from metamer import absorption, rough
 from metamer.errors import InputError, ProtocolError
 from metamer.events import Tile
 from metamer.fluorescence import reradiated
@@ -31,7 +31,9 @@ _WHITE, _DIFFUSE, _SPECULAR, _FRESNEL = (factors_pb2.FACTOR_WHITE, factors_pb2.F
 _REFLECT, _TRANSMIT, _ABSORB = factors_pb2.FACTOR_REFLECT, factors_pb2.FACTOR_TRANSMIT, factors_pb2.FACTOR_ABSORB
 _WINDOW = factors_pb2.FACTOR_WINDOW
 _RERADIATE = factors_pb2.FACTOR_RERADIATE
-_NODES = {_FRESNEL: 512, _REFLECT: 512, _TRANSMIT: 512, _ABSORB: absorption.NODES}  # else 1
+_LOBE, _COHERENT = factors_pb2.FACTOR_LOBE, factors_pb2.FACTOR_COHERENT
+_NODES = {_FRESNEL: 512, _REFLECT: 512, _TRANSMIT: 512, _ABSORB: absorption.NODES, _LOBE: rough.LOBE_NODES,
+          _COHERENT: rough.MIRROR_NODES}  # else 1
 Node = tuple[int, int, int]  # term, material, node
 
 
@@ -112,6 +114,8 @@ def _signature_colors(factors: Factors, scene: factors_pb2.SceneFactors, observe
     spectra = [Spectrum.from_message(s) for m in scene.material
                for s in (m.diffuse, m.specular, m.constants.n, m.constants.k, m.transmittance) if s.nm]
     spectra += [Spectrum.from_message(message) for message in (*(i.n for i in scene.interface), *scene.window)]
+    if any(material.rough for material in scene.material):
+        spectra.append(rough.GRID)
     at = quadrature([*lights.powers, *observer, *spectra], 3 + max(length))
 
     # What an observer sees of each light: (lights, 3, points).
@@ -176,10 +180,14 @@ class _NodeValues:
         of = self._scene.material[material]
         if term == _ABSORB:
             return absorption.at_node(Spectrum.from_message(of.transmittance), nm, node)
-        if term == _FRESNEL:
+        if term == _COHERENT:
+            return rough.mirror_at_node(nm, node)
+        if term == _LOBE and not of.HasField("constants"):
+            return rough.schlick_lobe_at_node(Spectrum.from_message(of.specular).property_at(nm), nm, node)
+        if term in (_FRESNEL, _LOBE):
             n = Spectrum.from_message(of.constants.n).property_at(nm)
             k = Spectrum.from_message(of.constants.k).property_at(nm) if of.constants.HasField("k") else np.zeros_like(nm)
-            return fresnel_at_node(n + 1j * k, node)
+            return fresnel_at_node(n + 1j * k, node) if term == _FRESNEL else rough.lobe_at_node(n + 1j * k, nm, node)
         return Spectrum.from_message(of.diffuse if term == _DIFFUSE else of.specular).property_at(nm)
 
 
@@ -243,6 +251,8 @@ class FactorsBuilder:
                    _WINDOW: self._scene.window}.get(term, self._scene.material)
         if term != _WHITE and material >= len(members) or node >= _NODES.get(term, 1):
             raise ProtocolError("a factor names what does not exist")
+        if term in (_LOBE, _COHERENT) and not self._scene.material[material].rough:
+            raise ProtocolError("a factor names a roughness that does not exist")
         if term == _RERADIATE and not self._scene.material[material].HasField("fluorescence"):
             raise ProtocolError("a factor names a fluorescence that does not exist")
         return term, material, node

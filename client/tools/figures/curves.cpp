@@ -39,7 +39,7 @@ Curve brdf_curve(const std::string& label, const models::Reflection<double>& ref
   Curve curve = sampled(label, -90, 90, [&](double viewer) {
     const auto lobes = models::evaluate(reflection, angles_at(incidence, viewer, tangent_across));
     return lobes.diffuse + lobes.specular + lobes.white +
-           lobes.fresnel * models::schlick_fresnel(lobes.cosine, f);
+           models::fresnel_weight(lobes) * models::schlick_fresnel(lobes.cosine, f);
   });
   curve.incidence = incidence;
   return curve;

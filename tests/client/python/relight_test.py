@@ -32,6 +32,14 @@ material {
   name: "gold" diffuseness: 0 specularness: 0.5 mirror: 0.6 cook_torrance {} fresnel { conductor { metal: "Au" } }
 }
 material {
+  name: "silver" diffuseness: 0 specularness: 1 mirror: 1 he_torrance { rms_roughness: 0.07 correlation_length: 2 }
+  fresnel { conductor { metal: "Ag" } }
+}
+material {
+  name: "satin" diffuseness: 0 specularness: 1 he_torrance {} fresnel { schlick {} }
+  specular { samples { wavelength: [400, 700] value: [0.3, 0.6] } }
+}
+material {
   name: "floor" mirror: 0.5 diffuse { samples { wavelength: [400, 700] value: [0.2, 0.6] } }
   specular { constant: 0.05 } specularness: 0.1 hall_greenberg {} fresnel { schlick {} }
 }
@@ -41,6 +49,8 @@ material {
 }
 object { name: "a" material: "paint" sphere { center { x: -0.6 y: 0.5 } radius: 0.5 } }
 object { name: "b" material: "gold" sphere { center { x: 0.6 y: 0.5 } radius: 0.5 } }
+object { name: "e" material: "silver" sphere { center { x: -0.3 y: 0.25 z: 1 } radius: 0.25 } }
+object { name: "f" material: "satin" sphere { center { x: 0.4 y: 0.2 z: 1 } radius: 0.2 } }
 object { name: "d" material: "glass" sphere { center { y: 0.3 z: 0.8 } radius: 0.3 } }
 object { name: "c" material: "floor" quad { corner { x: -3 z: 3 } u { x: 6 } v { z: -6 } } }
 """

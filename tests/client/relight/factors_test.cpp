@@ -75,6 +75,8 @@ double value_of(const FactorNode& factor) {
     case FactorKind::absorb:
     case FactorKind::window:
     case FactorKind::reradiate:
+    case FactorKind::lobe:
+    case FactorKind::coherent:
       return 0;  // the scene has none
     case FactorKind::diffuse:
       return factor.index == 0 ? 0.5 : 0.2;
@@ -165,6 +167,32 @@ TEST(Relight, KnowsWhatIsReradiated) {
   v1::SceneFactors white = glowing_scene();
   set(*white.mutable_material(0)->mutable_diffuse(), {500}, {0.5});
   EXPECT_EQ(energy_fault(white).find("of \"paint\" more light comes out than in at 500 nm"), 0u);
+}
+
+/// Node by node: a cosine's and a wavelength's, whose polynomials sum to 1; and a depth's.
+TEST(Relight, KnowsRoughLobesAndMirrors) {
+  v1::SceneFactors rough = scene();
+  rough.mutable_material(1)->set_rough(true);
+  const auto brightness = [&](v1::FactorTerm term, std::uint32_t node) {
+    v1::TileFactors tables = tile_factors();
+    tables.set_signature_material(0, 1);
+    tables.set_signature_term(0, term);
+    tables.set_signature_node(0, node);
+    EXPECT_EQ(table_fault(tables, 1, SceneSources(rough).factors()), "");
+    return signature_colors(tables, rough, cie::observer_1931())[0].value[1];
+  };
+  double sum = 0;
+  for (std::uint32_t w = 0; w < 8; ++w) sum += brightness(v1::FACTOR_LOBE, 8 * 127 + w);
+  EXPECT_NEAR(sum, models::dielectric_fresnel(1, 1.5), 1e-6);
+  EXPECT_GT(brightness(v1::FACTOR_LOBE, 8 * 127 + 3), brightness(v1::FACTOR_LOBE, 8 * 127));
+  EXPECT_NEAR(brightness(v1::FACTOR_COHERENT, 0), 1, 1e-6);
+  EXPECT_NEAR(brightness(v1::FACTOR_COHERENT, 511), 0, 1e-8);
+
+  v1::TileFactors tables = tile_factors();
+  tables.set_signature_material(0, 0);
+  tables.set_signature_term(0, v1::FACTOR_LOBE);
+  EXPECT_EQ(table_fault(tables, 1, SceneSources(rough).factors()),
+            "a signature names a rough lobe that does not exist");
 }
 
 TEST(Relight, TakesNoFluorescenceThatDoesNotFit) {

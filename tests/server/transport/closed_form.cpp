@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "common/models/reference.h"
 #include "common/scene/fresnel_table.h"
@@ -91,6 +92,8 @@ RenderScene transport_scene() {
         transmittance { samples { wavelength: [400, 500, 700] value: [0.2, 0.9, 0.6] } } thickness: 2
       }
     }
+    material { name: "rough" mirror: 1 fresnel { conductor { metal: "Ag" } } he_torrance {} }
+    material { name: "satin" specular { samples { wavelength: [400, 700] value: [0.5, 0.7] } } he_torrance {} }
     material { name: "water" fresnel { dielectric { medium: "water" } } transmission { dispersion: true } }
     object { name: "o" material: "paint" sphere { radius: 1 } }
     object { name: "p" material: "glass" sphere { radius: 1 } }
@@ -169,6 +172,37 @@ Spectra values_of(const RenderScene& scene, const FactorNode& factor, const Spec
       }
       return values;
     }
+    case FactorKind::lobe: {
+      // Chebyshev's nodes are orthogonal: Lagrange's polynomial is a sum of products of T_n.
+      const RenderMaterial& own = scene.materials[factor.index];
+      const double u = std::pow((factor.node / 8) / 127.0, 2), turn = factor.node % 8 + 0.5;
+      Spectra values;
+      if (own.fresnel == FresnelKind::exact) {
+        const OpticalConstants& constants = scene.constants[own.constants];
+        const Spectra n = resample(constants.n, nm, Outside::hold).values,
+                      k = resample(constants.k, nm, Outside::hold).values;
+        for (std::size_t i = 0; i < nm.size(); ++i)
+          values.push_back(models::conductor_fresnel(u, n[i], k[i]));
+      } else {
+        for (const double f : property(own.specular))
+          values.push_back(f + (1 - f) * std::pow(1 - u, 5));
+      }
+      for (std::size_t i = 0; i < nm.size(); ++i) {
+        const double angle = std::acos(std::clamp((560 - nm[i]) / 170, -1.0, 1.0));
+        double window = 1.0 / 8;
+        for (int n = 1; n < 8; ++n)
+          window += std::cos(n * turn * std::numbers::pi / 8) * std::cos(n * angle) / 4;
+        values[i] *= window;
+      }
+      return values;
+    }
+    case FactorKind::coherent: {
+      Spectra values;
+      for (const double at : nm)
+        values.push_back(
+            std::exp(-std::pow(4 * std::numbers::pi * 330 * factor.node / 511 / at, 2)));
+      return values;
+    }
     case FactorKind::absorb: {
       // Of the glass: T^(s/S) where S = −ln 0.2.
       Spectra values = property(scene.media[scene.materials[factor.index].medium].transmittance);
@@ -189,8 +223,14 @@ std::vector<std::pair<FactorNode, double>> nodes_of(const Factor& factor) {
     case FactorKind::white:
     case FactorKind::diffuse:
     case FactorKind::window:
+    case FactorKind::lobe:
     case FactorKind::reradiate:
       return {{node(0), 1}};
+    case FactorKind::coherent: {
+      const double at = std::min(u / 0.33 * 511, 511.0);
+      const auto below = static_cast<std::uint32_t>(std::min(std::floor(at), 510.0));
+      return {{node(below), 1 - (at - below)}, {node(below + 1), at - below}};
+    }
     case FactorKind::specular:
       return {{node(0), 1 - std::pow(1 - u, 5)}, {{FactorKind::white, 0, 0}, std::pow(1 - u, 5)}};
     case FactorKind::absorb: {

@@ -11,6 +11,7 @@
 
 #include "common/color/xyz.h"
 #include "common/scene/absorption_table.h"
+#include "common/scene/rough_mirror_table.h"
 #include "common/scene/settings.h"
 #include "common/spectral/wavelengths.h"
 #include "server/film/factor_sink.h"
@@ -199,6 +200,7 @@ TEST(Fold, OfTheReferenceIsTheSumOverTheWays) {
 /// Of a node in its kind's table.
 float place_of(const FactorNode& node) {
   if (node.kind == FactorKind::absorb) return static_cast<float>(absorption_node(node.node));
+  if (node.kind == FactorKind::coherent) return static_cast<float>(rough_mirror_node(node.node));
   const bool by_cosine = node.kind == FactorKind::fresnel || node.kind == FactorKind::reflect ||
                          node.kind == FactorKind::transmit;
   const float t = static_cast<float>(node.node) / 511;
