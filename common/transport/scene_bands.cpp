@@ -24,6 +24,7 @@ std::vector<const Spectrum*> spectra_of(const factors::Coherent::Source&) { retu
 /// The spectra that a scene's factors are, or are made of, each once.
 struct Parts {
   std::vector<Spectrum> curves;           ///< What may be on a chain.
+  std::vector<Spectrum> last;             ///< What may be at its end alone.
   std::vector<const Spectrum*> surfaces;  ///< What is a line between its samples.
   std::vector<const Spectrum*> all;
 
@@ -32,6 +33,10 @@ struct Parts {
   template <class Table>
   void add_nodes(const auto& source) {
     const std::vector<double> nm = dense_nm(spectra_of(source));
+    if constexpr (requires { Table::typical_last(source, nm); }) {
+      for (Spectrum& one : Table::typical_last(source, nm)) last.push_back(std::move(one));
+      return;
+    }
     const FactorTable table = Table::make(source, nm);
     if constexpr (requires { Table::typical(source); })
       for (const std::uint32_t node : Table::typical(source)) curves.push_back({nm, table(node)});
@@ -81,8 +86,10 @@ SceneBands::SceneBands(const FactorSources& sources,
   const std::vector<double> edges = cell_edges(parts.all);
   std::vector<SeenLight> lights;
   for (const Spectrum* emission : emissions) lights.emplace_back(observer, *emission, edges);
+  std::vector<const Spectrum*> once = sources.windows;
+  for (const Spectrum& one : parts.last) once.push_back(&one);
   // Where the surface itself is no line, it is one more of the chain.
-  bands_ = ChainBands(parts.curves, depth + 1, parts.surfaces, lights, sources.windows);
+  bands_ = ChainBands(parts.curves, depth + 1, parts.surfaces, lights, once);
   for (const SeenLight& light : lights) sensors_.emplace_back(light, bands_);
 }
 

@@ -15,9 +15,9 @@ struct Coherent {
     static FactorTable make(const Source&, const std::vector<double>& nm) {
       return [nm](std::uint32_t node) { return rough_mirror(rough_mirror_node(node), nm); };
     }
-    /// Where half of the light, and most of the blue one, is lost.
+    /// Where half of the light is lost; a chain's powers of it are deeper ones.
     static std::vector<std::uint32_t> typical(const Source&) {
-      return {rough_mirror_place(0.036f).below, rough_mirror_place(0.07f).below};
+      return {rough_mirror_place(0.036f).below};
     }
   };
   static std::size_t count(const FactorSources& sources) { return sources.materials.size(); }
