@@ -25,9 +25,9 @@ std::uint32_t any_index(const FactorSources& sources, std::mt19937& random) {
 float unit(std::mt19937& random) { return std::uniform_real_distribution<float>(0, 1)(random); }
 
 Factor any_factor(const FactorSources& sources, std::mt19937& random) {
-  // What a mirror may be: never a diffuse spectrum, nor what stands in a light's place.
+  // What a mirror may be: never a diffuse spectrum or a lobe, nor what stands in a light's place.
   FactorKind kind = FactorKind::diffuse;
-  while (kind == FactorKind::diffuse || kind == FactorKind::reradiate)
+  while (kind == FactorKind::diffuse || kind == FactorKind::lobe || kind == FactorKind::reradiate)
     kind = factor_entries[random() % factor_kind_count].kind;
   return with_kind(kind, [&]<class Kind>(Kind) -> Factor {
     // The ends of the range, too.
