@@ -28,6 +28,8 @@ constexpr std::array trait_words = {
     TraitWords{models::reciprocal, "reciprocal", "Reciprocal: light and viewer may change places."},
     TraitWords{models::symmetric_highlight, "symmetric-highlight",
                "Its highlight is the same with light and viewer exchanged."},
+    TraitWords{models::diffracting, "diffracting",
+               "Its highlight's geometry depends on wavelength."},
     TraitWords{models::conserving, "conserving", "Reflects no more light than it gets."},
 };
 constexpr const char* conserving_slope = "Normalised: ∫2hD dh = 1.";
