@@ -4,18 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/cpu/lanes.h"
+#include "server/cpu/lane_vectors.h"
 
 namespace metamer::cpu {
-
-inline Eigen::Vector3f lane_of(const Vec8& v, unsigned lane) {
-  return {v.x[lane], v.y[lane], v.z[lane]};
-}
-inline void set_lane(Vec8& v, const Eigen::Vector3f& to, unsigned lane) {
-  v.x[lane] = to.x();
-  v.y[lane] = to.y();
-  v.z[lane] = to.z();
-}
 
 /// Reflected about the shading normal, or the surface's own where that would lead below it. Unit.
 inline Eigen::Vector3f reflect(const Eigen::Vector3f& direction, const Eigen::Vector3f& normal,

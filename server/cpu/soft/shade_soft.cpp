@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "server/cpu/lane_vectors.h"
 #include "server/cpu/shading.h"
 #include "server/cpu/shared_source.h"
 
@@ -56,8 +57,7 @@ void Shading::shade_by_sky(const Packet& packet, const Hits& hits, const Places&
     for (unsigned i = 0; i < lane_count; ++i) {
       if (!packet.active[i]) continue;
       const auto [index, seed] = soft::pattern_of(packet, i, samples, j, sky.first_light());
-      sky.put_sample({hits.normal.x[i], hits.normal.y[i], hits.normal.z[i]}, index, seed, sample,
-                     i);
+      sky.put_sample(lane_of(hits.normal, i), index, seed, sample, i);
     }
     const Int8 sound = packet.active & (sample.weight > 0.0f);
     const Int8 facing = sound & (dot(hits.normal, sample.direction) > 0.0f);

@@ -53,9 +53,9 @@ Sky::Place Sky::place_of(const Direction& direction) const {
           cell(polar, picture_->height)};
 }
 
-const float* Sky::values(const Direction& direction) const {
+const float* Sky::values(const Eigen::Vector3f& direction) const {
   if (!picture_) return &alike;
-  const Place place = place_of(direction);
+  const Place place = place_of({direction.x(), direction.y(), direction.z()});
   return picture_->at(place.x, place.y).data();
 }
 
@@ -86,7 +86,7 @@ Sky::Found Sky::bright(float u, float v) const {
           {x, y}};
 }
 
-void Sky::put_sample(const Direction& normal, std::uint32_t index, std::uint32_t seed,
+void Sky::put_sample(const Eigen::Vector3f& white, std::uint32_t index, std::uint32_t seed,
                      Sample8& sample, unsigned lane) const {
   // Take turns; who begins is up to the pixel, so that an odd number favours neither.
   const bool by_picture = ((index ^ hashed(seed, 5)) & 1) != 0;
@@ -95,6 +95,7 @@ void Sky::put_sample(const Direction& normal, std::uint32_t index, std::uint32_t
   const float u = point.u[lane], v = point.v[lane];
 
   // Where the sky is alike everywhere, the half that the normal points to is the picture.
+  const Direction normal{white.x(), white.y(), white.z()};
   Direction direction;
   const float* values = &alike;
   double density_there = 0.5 / std::numbers::pi;

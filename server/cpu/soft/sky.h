@@ -17,7 +17,7 @@ class Sky {
   explicit Sky(const RenderScene& scene);  ///< Which has an environment.
 
   /// What the picture has in a direction: a value each for the lights of the environment.
-  const float* values(const std::array<float, 3>& direction) const;
+  const float* values(const Eigen::Vector3f& direction) const;
   /// By a light's luminance.
   float radiance(float value) const { return tables_ ? tables_->radiance(value) : value; }
   std::uint32_t first_light() const { return first_light_; }
@@ -36,9 +36,9 @@ class Sky {
       if (sample.values[i] != nullptr) radiances[i] = radiance(sample.values[i][part]);
     return radiances;
   }
-  /// Sample number `index` of what a point with this normal sees; `seed` is the lane's. Sets one
+  /// Sample number `index` of what a white with this normal sees; `seed` is the lane's. Sets one
   /// lane.
-  void put_sample(const std::array<float, 3>& normal, std::uint32_t index, std::uint32_t seed,
+  void put_sample(const Eigen::Vector3f& white, std::uint32_t index, std::uint32_t seed,
                   Sample8& sample, unsigned lane) const;
 
  private:

@@ -2,14 +2,11 @@
 
 #include <limits>
 
+#include "server/cpu/lane_vectors.h"
 #include "server/cpu/soft/object_light.h"
 
 namespace metamer::cpu::soft {
 namespace {
-
-std::array<float, 3> lane_of(const Vec8& v, unsigned lane) {
-  return {v.x[lane], v.y[lane], v.z[lane]};
-}
 
 void add_white(const Packet& packet, unsigned lane, std::uint32_t light, float weight,
                Workspace& workspace) {
