@@ -30,7 +30,8 @@ class TextureReader {
     auto image = has_extension(texture_.file(), ".png") ? png(bytes) : exr(bytes);
     if (!image) return at(".file", std::move(image.error()));
     const auto spectra = static_cast<std::uint32_t>(texture_.spectrum_size());
-    if (auto fits = check_size(*image, spectra); !fits) return tl::unexpected(fits.error());
+    if (auto fits = check_size(image->width, image->height, spectra); !fits)
+      return tl::unexpected(fits.error());
     auto weights = texture_.use() == v1::Texture::INDEX ? indexed_weights(*image) : blended(*image);
     if (!weights) return tl::unexpected(std::move(weights.error()));
     return with_levels(static_cast<std::uint32_t>(image->width),
@@ -40,11 +41,10 @@ class TextureReader {
  private:
   using Weights = std::vector<std::uint16_t>;
 
-  Result<void> check_size(const Image& image, std::uint32_t weights) const {
-    const auto pixels =
-        static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height);
-    if (pixels * weights <= limits::max_texture_weights) return {};
-    return at(".file", "has " + std::to_string(image.width) + " × " + std::to_string(image.height) +
+  Result<void> check_size(int width, int height, std::uint32_t weights) const {
+    const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+    if (pixels <= limits::max_texture_weights / weights) return {};
+    return at(".file", "has " + std::to_string(width) + " × " + std::to_string(height) +
                            " pixels of " + std::to_string(weights) + " weights; at most " +
                            std::to_string(limits::max_texture_weights) + " are allowed");
   }
@@ -54,7 +54,8 @@ class TextureReader {
     auto read = read_png_xyz({bytes, texture_.file()});
     if (!read) return at(".file", std::move(read.error()));
     const Image& image = read->image;
-    if (auto fits = check_size(image, 3); !fits) return tl::unexpected(fits.error());
+    if (auto fits = check_size(image.width, image.height, 3); !fits)
+      return tl::unexpected(fits.error());
     const Matrix3& to_rgb = rgb_space(StandardSpace::srgb).from_xyz;
     Weights weights;
     weights.reserve(image.pixels.size());
@@ -124,6 +125,12 @@ class TextureReader {
       if (!named.insert(channel).second)
         return problem("channel " + quoted(channel) + " is named twice");
     }
+    // Before there is memory taken for it.
+    const PixelWindow& display = parts->front().display;
+    if (auto fits = check_size(display.width(), display.height(),
+                               static_cast<std::uint32_t>(channels.size()));
+        !fits)
+      return problem(fits.error().message);
     return read_exr(source, *parts, 0, channels);
   }
 
@@ -193,8 +200,8 @@ class TextureReader {
           std::lround(image.pixels[i * stride + channel->front()] * largest));
       if (number > spectra)
         return at_pixel(image, i,
-                        "it is " + std::to_string(number) + ", and there are " +
-                            std::to_string(spectra) + " spectra");
+                        "it is " + std::to_string(number) + ", the number of no spectrum: " +
+                            (spectra == 1 ? "there is 1" : "there are " + std::to_string(spectra)));
       if (number > 0) weights[i * spectra + number - 1] = 65535;
     }
     return weights;

@@ -65,8 +65,6 @@ inline constexpr std::chrono::seconds linger_timeout{2};
 inline constexpr std::chrono::milliseconds progress_interval{250};
 /// The longer side of a preview: 64 Ki pixels take 10 ms to encode.
 inline constexpr std::uint32_t preview_side = 256;
-/// Of one picture's factors: ten times what a 4K picture takes.
-inline constexpr std::uint64_t max_job_factors = std::uint64_t{4} << 30;
 /// Tiles in one RenderTiles: 14 bytes each at most, 3.5 MB, which a frame holds. Only pictures near
 /// the largest need a second batch.
 inline constexpr std::size_t tiles_per_batch = 250'000;

@@ -5,9 +5,12 @@
 #include <utility>
 
 #include "common/scene/settings.h"
+#include "common/wire/frame.h"
+#include "common/wire/picture_factors.h"
 #include "server/film/factor_sink.h"
 #include "server/plan/color_notices.h"
 #include "server/render/choose.h"
+#include "server/render/factor_size.h"
 #include "server/render/verify.h"
 #include "server/scene/camera_space.h"
 #include "server/scene/compile.h"
@@ -67,7 +70,7 @@ void Job::compile(const v1::CompileJob& message) {
   settings_ = scene.settings();
   const auto refused =
       refusals(*scene_, settings_, options_.plan_capabilities(), message.keep_factors());
-  if (!refused.empty()) return messages_.failed(v1::Failed::BAD_INPUT, refused.front().message);
+  if (!refused.empty()) return messages_.failed(refused);
   keep_factors_ = message.keep_factors();
   if (keep_factors_)
     keep_factors_ = messages_.factors(nullptr, scene_factors(*scene_).SerializeAsString());
@@ -142,7 +145,32 @@ bool Job::make_plan(const v1::CompileJob& message) {
   if (!objection.empty()) say("settings.goal", objection);
   if (message.keep_factors() && !keep_factors_)
     say("material", "the scene's spectra are too many to keep factors for");
-  return true;
+  return plan_factors();
+}
+
+/// Says before it is drawn that a picture has too many factors, or takes smaller tiles. False when
+/// stopped.
+bool Job::plan_factors() {
+  // Without mirrors and refractions a pixel has a few.
+  if (!keep_factors_ || plan_.depth() == 0) return true;
+  if (!build([&] { return probe_->prepare(stopped_); })) return false;
+  messages_.preparing(v1::Preparing::PLANNING);
+  const auto start = Clock::now();
+  const FactorSize size = factor_size(*probe_, plan_, stopped_, work_);
+  timing_.set_pilot(timing_.pilot() + since(start));
+  const std::uint32_t side = size.tile_size(plan_, wire::max_factors);
+  keep_factors_ = side > 0 && size.mean * plan_.width() * plan_.height() <=
+                                  static_cast<double>(wire::max_picture_factors);
+  if (keep_factors_ && side == plan_.tile_size()) return !stopped_;
+  v1::Notice* notice = plan_.add_notice();
+  notice->set_field(keep_factors_ ? "settings.tile_size" : "settings.depth");
+  notice->set_message(
+      keep_factors_ ? "tiles of 8 pixels, so that the factors of each are no more than can be kept"
+                    : "no factors are kept: of a tile of 8 pixels they would be more than 3 MiB, "
+                      "or of all the "
+                      "picture more than 4 GiB; a lower depth has fewer");
+  if (keep_factors_) plan_.set_tile_size(side);
+  return !stopped_;
 }
 
 /// Says what the check of every pixel will cost. False when stopped.

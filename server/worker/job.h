@@ -94,6 +94,7 @@ class Job {
   bool make_plan(const v1::CompileJob& message);
   bool build(const std::function<bool()>& prepare);
   bool plan_verification();
+  bool plan_factors();
   void prepare_method();
   Result<void> prepare();
   Result<void> draw(const v1::RenderTiles& message, const Film& film);

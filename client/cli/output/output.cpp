@@ -85,8 +85,8 @@ ExitCode write_output(const OutputOptions& options, JobRecord& job, const std::s
   }
   if (missing)
     report.error(
-        "the picture has more factors than are kept (mirrors that face each other make many): "
-        "lower --depth or --tile-size");
+        "the picture has more factors than are kept (glass, and mirrors that face each other, make "
+        "many): lower --depth or --tile-size");
   const ExitCode code = write_pictures(options,
                                        {job.film->image(), *job.plan, factors ? &*factors : nullptr,
                                         factors ? &factors->scene : nullptr, std::move(metadata)},

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <fstream>
 #include <optional>
 #include <utility>
 
+#include "common/picture_head.h"
 #include "server/service/assets/asset_folder.h"
 #include "server/service/store/durable_file.h"
 
@@ -39,6 +41,16 @@ std::optional<Digest> digest_of_name(const std::string& name) {
 
 std::int64_t nanoseconds(const timespec& time) {
   return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+}
+
+std::uint64_t picture_values_of(const fs::path& path, std::uint64_t size) {
+  std::ifstream file(path, std::ios::binary);
+  std::string head(8, '\0');
+  if (!file.read(head.data(), 8) || !begins_picture(head)) return 0;
+  head.resize(picture_head_bytes);
+  file.read(head.data() + 8, static_cast<std::streamsize>(head.size() - 8));
+  head.resize(8 + static_cast<std::size_t>(file.gcount()));
+  return picture_values(head, size);
 }
 
 }  // namespace
@@ -96,8 +108,11 @@ AssetStore::Asset& AssetStore::insert(const Digest& digest, std::uint64_t size) 
   assert(!assets_.contains(digest));
   const auto use = by_use_.insert(by_use_.end(), digest);
   return assets_
-      .emplace(digest,
-               Asset{.size = size, .holds = {}, .use = use, .stamp = FileStamp::of(file(digest))})
+      .emplace(digest, Asset{.size = size,
+                             .picture_values = picture_values_of(file(digest), size),
+                             .holds = {},
+                             .use = use,
+                             .stamp = FileStamp::of(file(digest))})
       .first->second;
 }
 
@@ -110,6 +125,7 @@ void AssetStore::mend(const Digest& digest, std::uint64_t size) {
   if (!asset.holds.empty()) kept_ += more;
   bytes_ += more;
   asset.size = size;
+  asset.picture_values = picture_values_of(file(digest), size);
   asset.stamp = FileStamp::of(file(digest));
   asset.doubted = asset.damaged = false;
   asset.reading = 0;
@@ -260,6 +276,17 @@ std::uint64_t AssetHolds::bytes() const {
 std::uint64_t AssetHolds::bytes_of(const Digest& digest) const {
   const auto asset = store_->assets_.find(digest);
   return held_.contains(digest) && asset != store_->assets_.end() ? asset->second.size : 0;
+}
+
+AssetHolds::Pictures AssetHolds::pictures() const {
+  Pictures pictures;
+  for (const Digest& digest : held_) {
+    const auto asset = store_->assets_.find(digest);
+    if (asset == store_->assets_.end()) continue;
+    pictures.values += asset->second.picture_values;
+    pictures.largest = std::max(pictures.largest, asset->second.picture_values);
+  }
+  return pictures;
 }
 
 std::optional<Digest> AssetHolds::damaged() const {

@@ -38,11 +38,12 @@ struct FileStamp {
 /// bytes: the assets that were not used for longest go first, but never one that is held. Whoever
 /// holds an asset keeps the store too. A file that was changed or removed behind the store's back
 /// makes its asset a damaged one, which counts as missing until it is uploaded anew: look() finds
-/// it. For one thread, which no file's bytes are read on.
+/// it. For one thread, on which no more is read of a file than the head of a picture.
 class AssetStore : public std::enable_shared_from_this<AssetStore> {
  public:
   /// Opens or makes the folder. Left-overs of broken uploads and of workers' folders are removed;
-  /// no file is read before look(). Errors: a folder that can't be made, read or written.
+  /// no more of a file is read than a picture's head before look(). Errors: a folder that can't be
+  /// made, read or written.
   static Result<std::shared_ptr<AssetStore>> open(std::filesystem::path folder,
                                                   std::uint64_t quota);
 
@@ -92,6 +93,7 @@ class AssetStore : public std::enable_shared_from_this<AssetStore> {
 
   struct Asset {
     std::uint64_t size = 0;
+    std::uint64_t picture_values = 0;           // common/picture_head.h
     std::map<AccountPtr, std::uint64_t> holds;  // how many of each account
     std::list<Digest>::iterator use;            // in by_use_
     FileStamp stamp;                            // of the file that was looked at last,
@@ -159,6 +161,12 @@ class AssetHolds {
   std::uint64_t bytes() const;
   /// Of one; 0 where it is not held.
   std::uint64_t bytes_of(const Digest& digest) const;
+  /// The numbers that the pictures among them become (common/picture_head.h): of all, and of the
+  /// one that has most.
+  struct Pictures {
+    std::uint64_t values = 0, largest = 0;
+  };
+  Pictures pictures() const;
 
  private:
   std::shared_ptr<AssetStore> store_;

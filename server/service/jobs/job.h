@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "common/problem.h"
+#include "common/wire/picture_factors.h"
 #include "metamer/v1/jobs.pb.h"
 #include "metamer/v1/plan.pb.h"
 #include "metamer/v1/worker.pb.h"
@@ -134,9 +135,11 @@ class Job : public std::enable_shared_from_this<Job> {
   /// Its plan says that the whole picture is held against the reference.
   bool verifies() const { return verifies_; }
   Film& film() { return film_; }
-  /// Takes a piece of the factors of a tile that is not done, or, without one, of the scene.
-  /// Errors, with nothing taken: more than is kept, of a tile or in all.
-  Result<void> add_factors(std::optional<std::uint32_t> index, const std::string& piece);
+  /// Takes a piece of the factors of a tile that is not done, or, without one, of the scene. Where
+  /// all come to more than `most` bytes, this tile and those that follow have none: a picture
+  /// outlives its factors. Errors, with nothing taken: more than a tile may have.
+  Result<void> add_factors(std::optional<std::uint32_t> index, const std::string& piece,
+                           std::uint64_t most = wire::max_picture_factors);
   /// Says that the film now holds tile `index`, which was not done. Adds progress and a preview
   /// where they are due.
   void add_tile(std::uint32_t index, std::uint64_t rays);
@@ -222,6 +225,7 @@ class Job : public std::enable_shared_from_this<Job> {
   std::string scene_factors_;
   std::vector<std::string> factors_;  // by tile, where the job keeps them
   std::uint64_t factor_bytes_ = 0;
+  bool too_many_factors_ = false;  // a tile had to go without
   bool picture_dropped_ = false;
   std::uint32_t tiles_done_ = 0;
   std::uint32_t attempt_tiles_ = 0;  // of them, since the last start

@@ -60,13 +60,16 @@ void Job::append_planned(const v1::Plan& plan) {
 
 JobSize Job::size() const {
   const auto scene = digest_from_bytes(submit_.scene_sha256());
+  const AssetHolds::Pictures pictures = assets_.pictures();
   return {.asset_bytes = assets_.bytes(),
           .scene_bytes = scene ? assets_.bytes_of(*scene) : 0,
           .pixels = std::uint64_t{width_} * height_,
           .triangles = triangles_,
           .spectra = spectra_,
           .bands = bands_,
-          .keeps_factors = submit_.keep_factors()};
+          .keeps_factors = submit_.keep_factors(),
+          .picture_values = pictures.values,
+          .largest_picture = pictures.largest};
 }
 
 bool Job::add_preparing(v1::Preparing::Stage stage) {
@@ -111,15 +114,19 @@ std::vector<std::uint32_t> Job::missing_tiles(std::size_t most) const {
   return missing;
 }
 
-Result<void> Job::add_factors(std::optional<std::uint32_t> index, const std::string& piece) {
+Result<void> Job::add_factors(std::optional<std::uint32_t> index, const std::string& piece,
+                              std::uint64_t most) {
   if (!submit_.keep_factors()) return problem("factors that nobody asked for");
   if (index) factors_.resize(grid_.size());
   std::string& own = index ? factors_[*index] : scene_factors_;
   if (own.size() + piece.size() > wire::max_factors)
     return problem("more factors than a tile may have");
-  if (factor_bytes_ + piece.size() > max_job_factors)
-    return problem("the picture has more factors than are kept, " +
-                   std::to_string(max_job_factors) + " bytes");
+  if (index && (too_many_factors_ || factor_bytes_ + piece.size() > most)) {
+    too_many_factors_ = true;
+    factor_bytes_ -= own.size();
+    own.clear();
+    return {};
+  }
   own += piece;
   if (index) factor_bytes_ += piece.size();
   return {};

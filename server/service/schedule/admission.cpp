@@ -18,6 +18,10 @@ constexpr std::uint64_t bytes_per_triangle = 320;
 /// Of materials and objects, for each byte of the scene: a hundred thousand ellipsoids, of 90 bytes
 /// and each a hierarchy of its own, take 5.5 KiB each.
 constexpr std::uint64_t bytes_per_scene_byte = 64;
+/// Of each number of a texture or an environment: 16 bits and its smaller copies, or one in f32.
+/// While one is read it is there in f32, as colours, too, and twice as a texture.
+constexpr std::uint64_t bytes_per_picture_value = 4;
+constexpr std::uint64_t reading_bytes_per_value = 8;
 /// Of a spectrum while a method is made for it, beside its bands: a row of the basis in f64, twice.
 constexpr std::uint64_t bytes_per_spectrum = 24u << 10;
 constexpr std::uint64_t bytes_per_band = 4;
@@ -48,13 +52,15 @@ struct Part {
   std::uint64_t bytes = 0;
 };
 
-std::array<Part, 6> parts_of(const JobSize& size) {
+std::array<Part, 7> parts_of(const JobSize& size) {
   const bool planned = size.pixels > 0;
   const std::uint64_t files = size.asset_bytes - std::min(size.scene_bytes, size.asset_bytes);
   return {
       {{"the worker itself", worker_bytes},
        {"its objects and materials", times(size.scene_bytes, bytes_per_scene_byte)},
        {"its files", planned ? size.asset_bytes : times(files, bytes_per_asset_byte)},
+       {"its textures", added(times(size.picture_values, bytes_per_picture_value),
+                              times(size.largest_picture, reading_bytes_per_value))},
        {"its triangles", planned ? times(size.triangles, bytes_per_triangle) : 0},
        {"its spectra", added(times(size.spectra, bytes_per_spectrum),
                              times(times(size.spectra, bytes_per_band), size.bands))},

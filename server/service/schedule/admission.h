@@ -16,6 +16,9 @@ struct JobSize {
   std::uint64_t spectra = 0;  ///< Distinct ones,
   std::uint64_t bands = 0;    ///< and what the method keeps of each.
   bool keeps_factors = false;
+  // By the heads of textures and environments (common/picture_head.h).
+  std::uint64_t picture_values = 0;   ///< Of all together,
+  std::uint64_t largest_picture = 0;  ///< and of the one that has most.
 };
 
 /// Bytes that a job takes of worker and daemon while it runs: an estimate, rather too high. It

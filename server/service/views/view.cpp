@@ -52,7 +52,11 @@ View::View(std::uint64_t id, v1::OpenView open, AssetHolds assets, std::function
 
 JobSize View::size_of(const AssetHolds& assets, const std::string& scene_sha256) {
   const auto scene = digest_from_bytes(scene_sha256);
-  return {.asset_bytes = assets.bytes(), .scene_bytes = scene ? assets.bytes_of(*scene) : 0};
+  const AssetHolds::Pictures pictures = assets.pictures();
+  return {.asset_bytes = assets.bytes(),
+          .scene_bytes = scene ? assets.bytes_of(*scene) : 0,
+          .picture_values = pictures.values,
+          .largest_picture = pictures.largest};
 }
 
 JobSize View::size_with(const v1::Plan& plan) const {

@@ -77,7 +77,7 @@ TEST(Texture, WhatIsWrongIsSaidWithItsPixel) {
       {texture("a.png", 3), test::small_png(1, 2, 2, {'\1', '\1', '\1', '\x60', '\x60', '\x60'}),
        ".file", "pixel 0, 1 (from the upper left): the weights sum to 1.129"},
       {texture("a.png", 1, v1::Texture::INDEX), test::small_png(2, 1, 0, {'\1', '\2'}), ".file",
-       "pixel 1, 0 (from the upper left): it is 2, and there are 1 spectra"},
+       "pixel 1, 0 (from the upper left): it is 2, the number of no spectrum: there is 1"},
       {texture("a.png", 2), test::small_png(1, 1, 2, {'\1', '\1', '\1'}), ".channel",
        "the file has 3 channels (R G B), 2 are needed: name those that are meant"},
       {texture("a.png", 1, v1::Texture::BLEND, {"Z"}), test::small_png(1, 1, 0, {'\1'}),

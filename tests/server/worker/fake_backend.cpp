@@ -5,10 +5,11 @@ namespace {
 
 class FakeProbe : public Probe {
  public:
+  explicit FakeProbe(const FakeBackend& backend) : backend_(backend) {}
   bool prepare(const std::atomic<bool>& cancelled) override { return !cancelled; }
   TracedPixels trace(const v1::Plan&, PixelRun, const std::atomic<bool>&,
                      std::atomic<std::uint64_t>&) const override {
-    return {};
+    return {backend_.traced_, 1};
   }
   /// The first object, at the right half of the picture.
   std::optional<SeenPoint> look(const v1::Plan& plan, std::uint32_t x,
@@ -20,6 +21,9 @@ class FakeProbe : public Probe {
                          std::atomic<std::uint64_t>&) override {
     return 1;
   }
+
+ private:
+  const FakeBackend& backend_;
 };
 
 class FakeRenderer : public Renderer {
@@ -69,7 +73,7 @@ class FakeRenderer : public Renderer {
   }
 
   void report(v1::Timing& timing) override { timing.set_models(0.25); }
-  std::unique_ptr<Probe> make_probe() override { return std::make_unique<FakeProbe>(); }
+  std::unique_ptr<Probe> make_probe() override { return std::make_unique<FakeProbe>(backend_); }
 
  private:
   static v1::TileFactors kept(const Rect& tile) {

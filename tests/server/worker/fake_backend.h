@@ -26,6 +26,7 @@ class FakeBackend : public Backend {
   std::string change_problem, draw_problem;  ///< Empty: none.
   std::function<void()> before_tile = [] {};
   Features features_ = Features::all();
+  std::vector<Gather> traced_;  ///< By its probes.
 
   // What its renderers were asked for.
   struct Seen {

@@ -354,6 +354,62 @@ TEST_F(WorkerJob, RefusesWhatItsBackendDoesNotHave) {
   EXPECT_EQ(messages[0].failed().reason(), "the fake backend keeps no factors for relighting");
 }
 
+TEST_F(WorkerJob, SaysWhichFieldItsBackendHasNot) {
+  backend_.features_ = Features::all().without({Feature::exact_fresnel});
+  job_.compile(compile_message(ball_scene(
+      settings,
+      "material { name: 'gold' cook_torrance {} fresnel { conductor { metal: 'Au' } } } object { "
+      "name: 'ring' material: 'gold' sphere { radius: 1 } }")));
+  const auto messages = sent();
+  ASSERT_EQ(messages.size(), 1u);
+  ASSERT_EQ(messages[0].failed().problem_size(), 1);
+  EXPECT_EQ(messages[0].failed().problem(0).field(), "material[1].fresnel");
+}
+
+/// A pixel that is seen over so many surfaces, at places between the nodes of their tables: twice
+/// as many products for each.
+Gather over_surfaces(int count) {
+  Gather gather(1);
+  std::uint32_t chain = 0;
+  for (int i = 0; i < count; ++i)
+    chain = gather.chain(chain, {FactorKind::transmit, 0, 0.5f + 0.0123f * static_cast<float>(i)});
+  gather.add(chain, 0, FactorNode{FactorKind::white, 0, 0}, 1);
+  return gather;
+}
+
+TEST_F(WorkerJob, SaysBeforehandThatAPictureHasTooManyFactors) {
+  constexpr const char* glass =
+      "material { name: 'glass' fresnel { dielectric { medium: 'water' } } transmission {} } "
+      "object "
+      "{ name: 'drop' material: 'glass' sphere { center { x: 3 } radius: 0.1 } }";
+  const struct {
+    int surfaces;
+    std::uint32_t tile;
+    std::string field;
+  } cases[] = {{2, 16, ""}, {10, 8, "settings.tile_size"}, {13, 16, "settings.depth"}};
+  for (const auto& one : cases) {
+    SCOPED_TRACE(one.surfaces);
+    backend_.traced_ = {over_surfaces(one.surfaces)};
+    v1::CompileJob message = compile_message(ball_scene(settings, glass));
+    message.set_keep_factors(true);
+    Job job(5, options_, link_, work_, turns_);
+    job.compile(message);
+    std::string field;
+    for (const v1::WorkerEnvelope& planned : sent()) {
+      if (!planned.has_planned()) continue;
+      EXPECT_EQ(planned.planned().plan().tile_size(), one.tile);
+      for (const v1::Notice& notice : planned.planned().plan().notice())
+        if (notice.message().find("factors") != std::string::npos) field += notice.field();
+    }
+    EXPECT_EQ(field, one.field);
+    job.render(both_tiles());
+    const bool kept = one.field != "settings.depth";
+    EXPECT_EQ(sent_names(),
+              kept ? Names({"factors_piece", "tile_done", "factors_piece", "tile_done", "done"})
+                   : Names({"tile_done", "tile_done", "done"}));
+  }
+}
+
 TEST_F(WorkerJob, SendsATilesFactorsBeforeTheTile) {
   v1::CompileJob message = compile_message(ball_scene(settings));
   message.set_keep_factors(true);

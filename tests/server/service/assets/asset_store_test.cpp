@@ -8,6 +8,7 @@
 #include "common/scene/limits.h"
 #include "server/service/assets/asset_folder.h"
 #include "server/service/ops/folders.h"
+#include "tests/server/cpu/soft/sky_file.h"
 
 namespace metamer::service {
 
@@ -71,6 +72,23 @@ TEST_F(AssetStoreTest, AnEmptyAssetIsAnAssetToo) {
   open(1000);
   EXPECT_TRUE(put(""));
   EXPECT_TRUE(store_->has(sha256("")));
+}
+
+TEST_F(AssetStoreTest, KnowsWhatItsPicturesBecomeBeforeAndAfterItsEnd) {
+  using Pixels = std::vector<std::array<float, 3>>;
+  const std::string small = metamer::test::sky_file(2, 3, Pixels(6)),
+                    large = metamer::test::sky_file(8, 4, Pixels(32));
+  open(10'000);
+  for (const std::string& bytes : {small, large, text('a', 100)}) ASSERT_TRUE(put(bytes));
+  for (const bool again : {false, true}) {
+    if (again) store_.reset();
+    if (again) open(10'000);
+    AssetHolds holds(*store_);
+    for (const std::string& bytes : {small, large, text('a', 100)})
+      ASSERT_TRUE(holds.add(sha256(bytes)));
+    EXPECT_EQ(holds.pictures().values, 18u + 96u);
+    EXPECT_EQ(holds.pictures().largest, 96u);
+  }
 }
 
 TEST_F(AssetStoreTest, WrongBytesAreRefusedAndLeaveNothing) {

@@ -196,4 +196,26 @@ TEST_F(JobTest, PreviewsAreMadeOnlyWhileSomebodyWantsThem) {
   for (const auto& event : read(*job, {})) EXPECT_FALSE(event.has_preview());
 }
 
+TEST_F(JobTest, APictureOutlivesItsFactors) {
+  v1::Submit submit;
+  submit.set_keep_factors(true);
+  auto job = std::make_shared<Job>(7, submit, AssetHolds(*store_), 0);
+  ASSERT_TRUE(job->start() && job->plan(plan(32, 16, 16)) && job->make_film());
+  constexpr std::uint64_t most = 10;
+  ASSERT_TRUE(job->add_factors(0u, "12345678", most));
+  job->add_tile(0, 1);
+  for (const char* piece : {"9", "10", "1"}) ASSERT_TRUE(job->add_factors(1u, piece, most));
+  job->add_tile(1, 1);
+  EXPECT_EQ(job->tiles_done(), 2u);
+  std::vector<std::string> kept;
+  std::uint64_t from = 1;
+  while (const auto entry = job->log().next(from, {.tiles = true})) {
+    if (entry->sequence < from) break;
+    from = entry->sequence + 1;
+    const auto event = job->event(*entry, true).value();
+    if (event.has_tile()) kept.push_back(event.tile().factors());
+  }
+  EXPECT_EQ(kept, (std::vector<std::string>{"12345678", ""}));
+}
+
 }  // namespace metamer::service

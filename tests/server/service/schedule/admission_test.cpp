@@ -27,7 +27,8 @@ TEST(Admission, MoreOfAnythingTakesNoLess) {
     size = plain;
     size.triangles = std::max(size.triangles, more);
     EXPECT_GE(memory_estimate(size), base);
-    for (std::uint64_t JobSize::*of : {&JobSize::scene_bytes, &JobSize::spectra, &JobSize::bands}) {
+    for (std::uint64_t JobSize::*of : {&JobSize::scene_bytes, &JobSize::spectra, &JobSize::bands,
+                                       &JobSize::picture_values, &JobSize::largest_picture}) {
       size = plain;
       size.*of = more;
       EXPECT_GE(memory_estimate(size), base);
@@ -65,6 +66,14 @@ constexpr Measured measured[] = {
     {"1,500 materials, 1,881 wavelengths", {150'000, 150'000, 320 * 240, 0, 2502, 1881}, 45, 58},
     {"100,000 ellipsoids", {9'000'000, 9'000'000, 320 * 240, 0, 3, 3}, 551, 574},
     {"256 lights, 4,096 materials, linear", {700'000, 700'000, 160 * 120, 0, 7510, 1}, 183, 195},
+    {"a flat texture of 4096 pixels squared",
+     {.asset_bytes = 56'200,
+      .scene_bytes = 400,
+      .pixels = 32 * 32,
+      .picture_values = 4 << 24,
+      .largest_picture = 4 << 24},
+     395,
+     450},
 };
 
 TEST(Admission, WhatWasMeasuredIsWithinTheEstimateAndWithinHalfOfWhatIsAllowed) {
@@ -78,9 +87,11 @@ TEST(Admission, WhatWasMeasuredIsWithinTheEstimateAndWithinHalfOfWhatIsAllowed) 
 TEST(Admission, BeforeThePlanIsKnownAsMuchIsAllowedAsTheTablesMayTake) {
   // Compiled and prepared before the daemon hears of spectra.
   for (const Measured& one : measured)
-    EXPECT_LE(one.asked * mebi,
-              memory_allowance(
-                  {.asset_bytes = one.size.asset_bytes, .scene_bytes = one.size.scene_bytes}, 2))
+    EXPECT_LE(one.asked * mebi, memory_allowance({.asset_bytes = one.size.asset_bytes,
+                                                  .scene_bytes = one.size.scene_bytes,
+                                                  .picture_values = one.size.picture_values,
+                                                  .largest_picture = one.size.largest_picture},
+                                                 2))
         << one.scene;
 }
 
