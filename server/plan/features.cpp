@@ -46,13 +46,31 @@ Lack lack(Feature feature, const std::string& by) {
   return {refusal, {}};
 }
 
+std::string element(const char* list, std::size_t i) {
+  return list + ("[" + std::to_string(i) + "]");
+}
+
+/// Of objects, whose `part` it is that needs it.
 template <class Predicate>
-void need_of_objects(const RenderScene& scene, Feature feature, Predicate needs_it,
-                     std::vector<Need>& needs) {
+void need_of_objects(const RenderScene& scene, Feature feature, const char* part,
+                     Predicate needs_it, std::vector<Need>& needs) {
   Need need{feature, {}, 0};
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
-    if (needs_it(scene.objects[i], scene.materials[scene.objects[i].material]) && need.count++ == 0)
-      need.field = "object[" + std::to_string(i) + "]";
+    if (needs_it(scene.objects[i]) && need.count++ == 0) need.field = element("object", i) + part;
+  if (need.count > 0) needs.push_back(need);
+}
+
+/// Of materials that objects have, in the objects' order.
+template <class Predicate>
+void need_of_materials(const RenderScene& scene, Feature feature, const char* part,
+                       Predicate needs_it, std::vector<Need>& needs) {
+  Need need{feature, {}, 0};
+  std::vector<bool> seen(scene.materials.size());
+  for (const RenderObject& object : scene.objects) {
+    if (seen[object.material] || !needs_it(scene.materials[object.material])) continue;
+    seen[object.material] = true;
+    if (need.count++ == 0) need.field = element("material", object.material) + part;
+  }
   if (need.count > 0) needs.push_back(need);
 }
 
@@ -71,36 +89,34 @@ std::vector<Need> features_of(const RenderScene& scene, const v1::Settings& sett
   using Object = RenderObject;
   using Material = RenderMaterial;
   std::vector<Need> needs;
-  need_of_objects(
-      scene, Feature::mirrors,
-      [&](const Object&, const Material& m) { return settings.depth() > 0 && m.mirror > 0; },
+  need_of_materials(
+      scene, Feature::mirrors, ".mirror",
+      [&](const Material& m) { return settings.depth() > 0 && m.mirror > 0; }, needs);
+  need_of_materials(
+      scene, Feature::exact_fresnel, ".fresnel",
+      [](const Material& m) { return m.fresnel == FresnelKind::exact; }, needs);
+  need_of_materials(
+      scene, Feature::anisotropy, "", [](const Material& m) { return m.anisotropic(); }, needs);
+  need_of_materials(
+      scene, Feature::textures, ".texture", [](const Material& m) { return m.texture.has_value(); },
       needs);
   need_of_objects(
-      scene, Feature::exact_fresnel,
-      [](const Object&, const Material& m) { return m.fresnel == FresnelKind::exact; }, needs);
-  need_of_objects(
-      scene, Feature::anisotropy, [](const Object&, const Material& m) { return m.anisotropic(); },
-      needs);
-  need_of_objects(
-      scene, Feature::textures, [](const Object&, const Material& m) { return m.texture; }, needs);
-  need_of_objects(
-      scene, Feature::corner_shading,
-      [](const Object& object, const Material&) {
+      scene, Feature::corner_shading, "",
+      [](const Object& object) {
         return object.shape == Object::Shape::mesh && object.shading != v1::PHONG;
       },
       needs);
-  need_of_objects(
-      scene, Feature::transmission, [](const Object&, const Material& m) { return m.medium > 0; },
+  need_of_materials(
+      scene, Feature::transmission, ".transmission", [](const Material& m) { return m.medium > 0; },
       needs);
   need_of_objects(
-      scene, Feature::planes,
-      [](const Object& object, const Material&) { return object.shape == Object::Shape::plane; },
-      needs);
+      scene, Feature::planes, ".plane",
+      [](const Object& object) { return object.shape == Object::Shape::plane; }, needs);
   need_of_area_lights(scene, needs);
   if (scene.environment) needs.push_back({Feature::environment, scene.environment->field});
-  need_of_objects(
-      scene, Feature::fluorescence,
-      [](const Object&, const Material& m) { return m.fluorescence.has_value(); }, needs);
+  need_of_materials(
+      scene, Feature::fluorescence, ".fluorescence",
+      [](const Material& m) { return m.fluorescence.has_value(); }, needs);
   if (scene.camera.aperture_radius > 0) needs.push_back({Feature::lens, "camera.aperture_radius"});
   if (settings.bounces() > 0) needs.push_back({Feature::inter_reflection, "settings.bounces"});
   if (settings.method().point().multi_pass())

@@ -13,8 +13,9 @@ namespace metamer {
 /// A feature that a scene or its settings need, and where.
 struct Need {
   Feature feature;
-  std::string field;      ///< The first of those that need it; empty: no field of a scene.
-  std::size_t count = 1;  ///< Of those that need it.
+  /// "material[2].transmission", of the first that needs it; empty: no field of a scene.
+  std::string field;
+  std::size_t count = 1;  ///< Of the materials, objects or lights that need it.
 };
 
 /// What a scene, compiled, and its settings (defaults filled in) need beyond what every renderer

@@ -5,6 +5,7 @@
 
 #include "common/color/xyz.h"
 #include "server/methods/method.h"
+#include "server/plan/coincident.h"
 #include "server/plan/features.h"
 #include "server/plan/light_notices.h"
 #include "server/plan/needs.h"
@@ -121,6 +122,35 @@ void notice_open_objects(const RenderScene& scene, v1::Plan& plan) {
       "it lets light through but is not closed, or its faces are not all turned the same way: "
       "where a path does not come out again, it stays in the material",
       plan);
+}
+
+/// Where the eye is so near to a clear surface that rounding says on which side it is. In the
+/// camera's space, where f32 has 1e-7 of the scene's size.
+void notice_eye_at_surface(const RenderScene& scene, v1::Plan& plan) {
+  constexpr double told_apart = 1e-6;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    if (scene.materials[scene.objects[i].material].medium == 0 ||
+        !is_near(scene, scene.objects[i], scene.camera.eye, told_apart))
+      continue;
+    v1::Notice* notice = plan.add_notice();
+    notice->set_field("camera.eye");
+    notice->set_message("it is within a millionth of the scene's size of the surface of object[" +
+                        std::to_string(i) + "], which is clear: on which side is up to rounding");
+    return;
+  }
+}
+
+/// Says which paths through clear objects end before they come out.
+void notice_shallow(const std::vector<Need>& needs, v1::Plan& plan) {
+  const auto clear = std::find_if(needs.begin(), needs.end(), [](const Need& need) {
+    return need.feature == Feature::transmission;
+  });
+  if (clear == needs.end() || plan.depth() >= 2) return;
+  v1::Notice* notice = plan.add_notice();
+  notice->set_field("settings.depth");
+  notice->set_message(std::string(plan.depth() == 0 ? "no path goes on at a clear object"
+                                                    : "no path comes out of a clear object") +
+                      ", which is dark: it needs a depth of 2, one that is filled 4");
 }
 
 void notice_cut_observer(const RenderScene& scene, v1::Plan& plan) {
@@ -249,6 +279,9 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
   notice_skipped_faces(scene, plan);
   notice_objects(scene, plan);
   notice_open_objects(scene, plan);
+  notice_coincident(scene, plan);
+  if (!scene.media.empty()) notice_eye_at_surface(scene, plan);
+  if (capabilities.features.has(Feature::transmission)) notice_shallow(needs, plan);
   notice_lights(scene, needs, plan);
   notice_cut_observer(scene, plan);
   notice_short_end(settings.method(), wavelengths, plan);

@@ -70,6 +70,20 @@ std::uint64_t place_hash(const Double3& at) {
   return hash;
 }
 
+/// To its plane where the point lies above it, else to the nearest of its sides.
+double distance_to_triangle(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]);
+  bool above = normal.squaredNorm() > 0;
+  double nearest = INFINITY;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Eigen::Vector3d side = p[(i + 1) % 3] - p[i], way = point - p[i];
+    above = above && normal.dot(side.cross(way)) >= 0;
+    const double along = std::clamp(way.dot(side) / std::max(side.squaredNorm(), 1e-300), 0.0, 1.0);
+    nearest = std::min(nearest, (way - along * side).norm());
+  }
+  return above ? std::abs(normal.normalized().dot(point - p[0])) : nearest;
+}
+
 }  // namespace
 
 double index_at_d_line(const Spectrum& n) {
@@ -174,6 +188,24 @@ int windings(const RenderScene& scene, const RenderObject& object, const Eigen::
                                                             p[2].dot(p[0]) * r[1]);
   }
   return static_cast<int>(std::lround(angle / (4 * std::numbers::pi)));
+}
+
+bool is_near(const RenderScene& scene, const RenderObject& object, const Eigen::Vector3d& point,
+             double reach) {
+  if (object.shape == RenderObject::Shape::sphere) {
+    const double shortest = object.to_world.linear().colwise().norm().minCoeff();
+    return std::abs((object.to_world.inverse() * point).norm() - 1) * shortest <= reach;
+  }
+  const TriangleMesh& mesh = scene.meshes[object.mesh];
+  const Eigen::AlignedBox3d box = box_of(mesh.positions).transformed(object.to_world);
+  if (box.isEmpty() || box.exteriorDistance(point) > reach) return false;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    std::array<Eigen::Vector3d, 3> p;
+    for (std::size_t j = 0; j < 3; ++j)
+      p[j] = object.to_world * to_vector(mesh.positions[mesh.triangles[i][j]]);
+    if (distance_to_triangle(p, point) <= reach) return true;
+  }
+  return false;
 }
 
 }  // namespace metamer

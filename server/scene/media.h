@@ -34,4 +34,9 @@ bool is_turned_inwards(const TriangleMesh& mesh);
 /// is in the object's box.
 int windings(const RenderScene& scene, const RenderObject& object, const Eigen::Vector3d& point);
 
+/// Whether a point of the world is no farther than `reach` from an object's surface, nearly: of an
+/// ellipsoid by its shortest axis. Takes time with each triangle where it is that near to its box.
+bool is_near(const RenderScene& scene, const RenderObject& object, const Eigen::Vector3d& point,
+             double reach);
+
 }  // namespace metamer

@@ -51,12 +51,12 @@ TEST(Features, AreListedOnceWithTheirFirstPlace) {
       needs_of(both + object("a", "paint") + object("b", "gold") + object("c", "gold"));
   ASSERT_EQ(needs.size(), 3u);
   EXPECT_EQ(needs[0].feature, Feature::mirrors);
+  EXPECT_EQ(needs[0].field, "material[1].mirror");
   EXPECT_EQ(needs[1].feature, Feature::exact_fresnel);
+  EXPECT_EQ(needs[1].field, "material[1].fresnel");
   EXPECT_EQ(needs[2].feature, Feature::anisotropy);
-  for (const Need& need : needs) {
-    EXPECT_EQ(need.field, "object[1]");
-    EXPECT_EQ(need.count, 2u);
-  }
+  EXPECT_EQ(needs[2].field, "material[1]");
+  for (const Need& need : needs) EXPECT_EQ(need.count, 1u);  // two objects, one material
 }
 
 TEST(Features, WithoutDepthNothingMirrors) {
@@ -114,10 +114,10 @@ TEST(Features, OfLightsAndPlanesHaveTheirPlacesAndAreRefusedByWhoHasThemNot) {
   std::vector<std::string> told;
   for (const Problem& one : refusals(scene, settings, none, false))
     told.push_back(one.field + ": " + one.message);
-  EXPECT_EQ(told,
-            (std::vector<std::string>{"object[0]: the toy backend has no planes out to the horizon",
-                                      "light[1]: the toy backend has no lights with a surface",
-                                      "light[3]: the toy backend has no light from all around"}));
+  EXPECT_EQ(told, (std::vector<std::string>{
+                      "object[0].plane: the toy backend has no planes out to the horizon",
+                      "light[1]: the toy backend has no lights with a surface",
+                      "light[3]: the toy backend has no light from all around"}));
 }
 
 TEST(Features, TheFactorsOfAnEnvironmentsPictureAreNotKept) {

@@ -49,7 +49,7 @@ TEST(Plan, SaysWhatABackendLeavesOut) {
   EXPECT_EQ(gl.backend(), "gl");
   EXPECT_EQ(gl.depth(), 0u);
   ASSERT_EQ(gl.notice_size(), 1);
-  EXPECT_EQ(gl.notice(0).field(), "object[0]");
+  EXPECT_EQ(gl.notice(0).field(), "material[0].mirror");
   EXPECT_EQ(gl.notice(0).message(), "the gl backend has no mirrors");
   // The scene's other material mirrors, and no object is of it.
   EXPECT_EQ(plan(scene("spectrum { standard: 'E' }", "", ""), no_mirrors).notice_size(), 0);

@@ -4,6 +4,7 @@
 
 #include "common/scene/limits.h"
 #include "server/plan/plan.h"
+#include "server/scene/camera_space.h"
 #include "tests/server/test_scene.h"
 
 namespace metamer::test {
@@ -79,6 +80,43 @@ TEST(Media, APointLiesInWhatIsWoundAroundIt) {
   EXPECT_EQ(around(-1.5, 0.5, 0.5), (std::vector<int>{0, 1, 0}));
   EXPECT_EQ(around(5, 1.9, 0), (std::vector<int>{0, 0, 1}));
   EXPECT_EQ(around(1.01, 0.5, 0.5), (std::vector<int>{0, 0, 0}));
+}
+
+TEST(Media, WhatIsNearASurfaceIsFound) {
+  const RenderScene scene = with_mesh(
+      cube(),
+      box + "object { name: 'ball' material: 'glass' sphere { center { x: 5 } radius: 2 } }");
+  const auto near = [&](std::size_t object, const Eigen::Vector3d& point) {
+    return is_near(scene, scene.objects[object], point, 1e-6);
+  };
+  for (const double side : {-1.0, 1.0}) {
+    EXPECT_TRUE(near(0, {0.3, 0.4, 1 + side * 5e-7}));
+    EXPECT_FALSE(near(0, {0.3, 0.4, 1 + side * 2e-6}));
+    EXPECT_TRUE(near(1, {5, 2 + side * 5e-7, 0}));
+    EXPECT_FALSE(near(1, {5, 2 + side * 2e-6, 0}));
+  }
+  EXPECT_TRUE(near(0, {1 + 5e-7, 1 + 5e-7, 0.5})) << "beyond an edge";
+  EXPECT_FALSE(near(0, {1 + 9e-7, 1 + 9e-7, 0.5}));
+  EXPECT_FALSE(near(0, {0.5, 0.5, 0.5}));
+}
+
+TEST(Media, AnEyeAtAClearSurfaceIsTold) {
+  const auto told = [](const std::string& z) {
+    const RenderScene scene = to_camera_space(compile_text(
+        "camera { eye { z: " + z +
+        " } target { z: -9 } } light { name: 'l' position { z: 9 } "
+        "spectrum { standard: 'D65' } } material { name: 'glass' fresnel { dielectric { medium: "
+        "'N-BK7' } } transmission {} } object { name: 'ball' material: 'glass' sphere { radius: 1 "
+        "} }"));
+    std::string fields;
+    const v1::Plan plan = make_plan(scene, v1::Settings(), {.threads = 1});
+    for (const v1::Notice& notice : plan.notice())
+      if (notice.message().find("millionth") != std::string::npos) fields += notice.field();
+    return fields;
+  };
+  EXPECT_EQ(told("1.0000001"), "camera.eye");
+  EXPECT_EQ(told("0.9999999"), "camera.eye");
+  EXPECT_EQ(told("1.00001"), "");
 }
 
 TEST(Media, InterfacesAreThoseOfMaterialsThatMayTouch) {
