@@ -53,8 +53,8 @@ using MeshBytes = std::function<Result<Bytes>(const std::string& name)>;
 
 /// Reads PLY, OBJ or glTF 2.0, by the extension of `name`. Only what the bytes can pay for is
 /// allocated. Errors, located as far as the format has lines: a format or a required extension that
-/// can't be read; no triangles; a vertex that is not finite or beyond limits::max_coordinate; an
-/// index out of range; more than limits::max_triangles.
+/// can't be read; no triangles; a vertex or a UV that is not finite, or beyond
+/// limits::max_coordinate and f32; an index out of range; more than limits::max_triangles.
 Result<MeshFile> read_mesh(const std::string& name, const MeshBytes& files);
 
 /// A file's triangles as a renderer takes them. Errors: the part is not there (the names that are

@@ -38,11 +38,10 @@ inline Float3 unit_or_none(const Double3& v) {
   return to_f32({v[0] / length, v[1] / length, v[2] / length});
 }
 
-/// A UV; NaN where it is not finite.
-inline Float2 finite_or_none(double u, double v) {
-  const Float2 uv{static_cast<float>(u), static_cast<float>(v)};
-  if (std::isfinite(uv[0]) && std::isfinite(uv[1])) return uv;
-  return {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::quiet_NaN()};
-}
+/// Of a vertex that the file gives no UV.
+inline constexpr Float2 no_uv{std::numeric_limits<float>::quiet_NaN(),
+                              std::numeric_limits<float>::quiet_NaN()};
+inline Float2 to_uv(double u, double v) { return {static_cast<float>(u), static_cast<float>(v)}; }
+inline bool is_uv(const Float2& uv) { return std::isfinite(uv[0]) && std::isfinite(uv[1]); }
 
 }  // namespace metamer

@@ -94,10 +94,9 @@ void join(MeshFile from, MeshFile& to) {
   append_all(from.positions, to.positions);
   append_all(from.positions_f64, to.positions_f64);
   append_all(from.normals, to.normals);
-  constexpr float none = std::numeric_limits<float>::quiet_NaN();
   if (!from.uvs.empty() || !to.uvs.empty()) {
-    to.uvs.resize(base, {none, none});
-    from.uvs.resize(vertex_count(from), {none, none});
+    to.uvs.resize(base, no_uv);
+    from.uvs.resize(vertex_count(from), no_uv);
     append_all(from.uvs, to.uvs);
   }
   for (const Triangle& t : from.triangles)

@@ -145,19 +145,28 @@ void append_normals(const Primitive& primitive, const Drawn& drawn, std::size_t 
   });
 }
 
-void append_uvs(const Primitive& primitive, std::size_t base, MeshFile& to) {
-  if (!primitive.uvs && to.uvs.empty()) return;
-  constexpr float none = std::numeric_limits<float>::quiet_NaN();
+Result<void> append_uvs(const Primitive& primitive, std::size_t base, MeshFile& to) {
+  if (!primitive.uvs && to.uvs.empty()) return {};
   const std::size_t count = primitive.positions.size();
-  to.uvs.resize(base, {none, none});
-  to.uvs.resize(base + count, {none, none});
-  if (!primitive.uvs) return;
+  to.uvs.resize(base, no_uv);
+  to.uvs.resize(base + count, no_uv);
+  if (!primitive.uvs) return {};
+  FirstProblem first;
   for_ranges(count, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t i = begin; i < end; ++i) {
       // A glTF's v falls from the top of a picture.
-      to.uvs[base + i] =
-          finite_or_none(primitive.uvs->number(i, 0), 1 - primitive.uvs->number(i, 1));
+      Float2& uv = to.uvs[base + i];
+      uv = to_uv(primitive.uvs->number(i, 0), 1 - primitive.uvs->number(i, 1));
+      if (is_uv(uv)) continue;
+      first.keep(i, {.field = {},
+                     .file = {},
+                     .message = "the UV of vertex " + std::to_string(base + i) +
+                                " is not finite or too far out"});
+      return;
+    }
   });
+  if (first.get()) return tl::unexpected(*first.get());
+  return {};
 }
 
 /// The corners of triangle `t`, by their place in the list of indices.
@@ -238,7 +247,7 @@ Result<void> append(const Primitive& primitive, const Drawn& drawn, bool f64, Me
     return problem("has more vertices than 32 bits can count");
   if (auto done = append_positions(primitive, drawn, f64, base, to); !done) return done;
   append_normals(primitive, drawn, base, to);
-  append_uvs(primitive, base, to);
+  if (auto done = append_uvs(primitive, base, to); !done) return done;
   return append_triangles(primitive, drawn, base, to);
 }
 

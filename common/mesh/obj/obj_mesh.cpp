@@ -166,8 +166,7 @@ class FileReader {
     for_ranges(corners.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const auto [_, vt, vn] = corners[i];
-        if (!mesh_.uvs.empty())
-          mesh_.uvs[i] = vt == none ? finite_or_none(NAN, NAN) : vertices_.vt[vt];
+        if (!mesh_.uvs.empty()) mesh_.uvs[i] = vt == none ? no_uv : vertices_.vt[vt];
         if (!mesh_.normals.empty()) mesh_.normals[i] = vn == none ? Float3{} : vertices_.vn[vn];
       }
     });

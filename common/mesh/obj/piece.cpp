@@ -125,7 +125,9 @@ class PieceReader {
   std::optional<std::string> read_vt(std::string_view line) {
     std::array<double, 2> uv{};
     if (!read_numbers(line, 1, uv)) return "vt has one to three numbers";
-    vertices_.vt[now_.vt++] = finite_or_none(uv[0], uv[1]);
+    const Float2 place = to_uv(uv[0], uv[1]);
+    if (!is_uv(place)) return "vt is not finite or too far out";
+    vertices_.vt[now_.vt++] = place;
     return std::nullopt;
   }
   std::optional<std::string> read_vn(std::string_view line) {

@@ -206,6 +206,9 @@ class Reader {
       if (!is_position({row[0], row[1], row[2]}))
         return problem_before(before,
                               "vertex " + std::to_string(i) + " is not finite or too far out");
+      if (columns.uv() && !is_uv(to_uv(row[6], row[7])))
+        return problem_before(
+            before, "the UV of vertex " + std::to_string(i) + " is not finite or too far out");
       keep(columns, row, i);
     }
     return std::nullopt;
@@ -217,7 +220,7 @@ class Reader {
     else
       mesh_.positions[i] = to_f32({row[0], row[1], row[2]});
     if (columns.normal()) mesh_.normals[i] = unit_or_none({row[3], row[4], row[5]});
-    if (columns.uv()) mesh_.uvs[i] = finite_or_none(row[6], row[7]);
+    if (columns.uv()) mesh_.uvs[i] = to_uv(row[6], row[7]);
   }
 
   void read_faces(const Extent<Cursor>& faces) {

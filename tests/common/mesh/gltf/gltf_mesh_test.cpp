@@ -222,6 +222,16 @@ TEST(GltfMesh, VerticesAndIndicesOutOfBoundsAreNamed) {
   GltfText text;
   text.node_of({{"attributes", {{"POSITION", text.vec3({0, 0, 0, 1, 0, 0, 0, NAN, 0})}}}});
   EXPECT_EQ(problem_of(gltf_of(text)), "error: vertex 2 is not finite or too far out");
+  for (const float bad : {NAN, INFINITY, -INFINITY}) {
+    GltfText placed;
+    const int at = placed.vec3({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    placed.node_of(
+        {{"attributes",
+          {{"POSITION", at},
+           {"TEXCOORD_0", placed.accessor(std::vector<float>{0, 0, 1, bad, 1, 1}, "VEC2", 2)}}}});
+    EXPECT_EQ(problem_of(gltf_of(placed)),
+              "error: the UV of vertex 1 is not finite or too far out");
+  }
   GltfText far = triangle();
   far.json["nodes"][0]["scale"] = {1e20, 1, 1};
   EXPECT_EQ(problem_of(gltf_of(far)), "error: vertex 1 is not finite or too far out");

@@ -98,6 +98,9 @@ TEST(Obj, AProblemIsLocatedByItsLine) {
       {square + "v 1e16 0 0\n", "a.obj:5: error: v is not finite or too far out"},
       {square + "v 1,5 0 0\n", "a.obj:5: error: v has three numbers"},
       {square + "vt\n", "a.obj:5: error: vt has one to three numbers"},
+      {square + "vt nan 0\n", "a.obj:5: error: vt is not finite or too far out"},
+      {square + "vt 0 -inf\n", "a.obj:5: error: vt is not finite or too far out"},
+      {square + "vt 1e39 0\n", "a.obj:5: error: vt is not finite or too far out"},
       {square + "vn 0 1\n", "a.obj:5: error: vn has three numbers"},
   };
   for (const auto& [text, message] : broken) EXPECT_EQ(problem_of(obj_of(text)), message) << text;

@@ -52,6 +52,17 @@ TEST(Ply, PropertiesStandInAnyOrderAndOthersArePassedOver) {
             std::vector<std::string>{"texture coordinates of faces (texcoord) were left out"});
 }
 
+TEST(Ply, AUvThatIsNotFiniteHasItsLine) {
+  for (const char* bad : {"nan 0", "0 inf", "-1e39 0"}) {
+    const auto file = ply_of(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
+        "float z\nproperty double s\nproperty double t\nelement face 1\nproperty list uchar uint "
+        "vertex_indices\nend_header\n0 0 0 0 0\n1 0 0 " +
+        std::string(bad) + "\n0 1 0 1 1\n3 0 1 2\n");
+    EXPECT_EQ(problem_of(file), "a.ply:13: error: the UV of vertex 1 is not finite or too far out");
+  }
+}
+
 TEST(Ply, ColoursAndEdgesAreLeftOutWithANote) {
   const auto notes = [](const std::string& of_vertex, const std::string& of_face,
                         const std::string& last) {
