@@ -100,6 +100,83 @@ Spectrum reradiated_by(const Fluorophore& of, const Spectrum& light) {
   return out;
 }
 
+/// A place among rising numbers, and the next one's share there; nothing outside.
+struct Between {
+  std::size_t first;
+  double share;
+};
+std::optional<Between> between(const std::vector<double>& nm, double at) {
+  if (at < nm.front() || at > nm.back()) return std::nullopt;
+  const auto next = std::upper_bound(nm.begin(), nm.end() - 1, at) - nm.begin();
+  const auto first = static_cast<std::size_t>(std::max<std::ptrdiff_t>(next - 1, 0));
+  return Between{first, (at - nm[first]) / (nm[first + 1] - nm[first])};
+}
+
+/// M(λ, μ) of a table, on both sides of the diagonal.
+double table_at(const BispectralMatrix& of, double emitted, double excited) {
+  const auto row = between(of.excitation, excited), column = between(of.emission, emitted);
+  if (!row || !column) return 0;
+  const auto in_row = [&](std::size_t i) {
+    const double* values = &of.values[i * of.emission.size() + column->first];
+    return values[0] + column->share * (values[1] - values[0]);
+  };
+  return in_row(row->first) + row->share * (in_row(row->first + 1) - in_row(row->first));
+}
+
+double longest_step(const std::vector<double>& nm) {
+  double longest = 0;
+  for (std::size_t i = 1; i < nm.size(); ++i) longest = std::max(longest, nm[i] - nm[i - 1]);
+  return longest;
+}
+
+/// How far below the diagonal lines between a table's values may reach; 0: they do not.
+double reach_below(const BispectralMatrix& of) {
+  const auto& [excitation, emission, values] = of;
+  for (std::size_t i = 0; i < excitation.size(); ++i)
+    for (std::size_t j = 0; j < emission.size(); ++j)
+      if (values[i * emission.size() + j] > 0 &&
+          emission[j > 0 ? j - 1 : 0] < excitation[std::min(i + 1, excitation.size() - 1)])
+        return longest_step(excitation) + 2 * longest_step(emission);
+  return 0;
+}
+
+/// Nothing is re-radiated at a shorter wavelength (G. G. Stokes, Phil. Trans. 142, 463 (1852)), but
+/// the lines m between values beside the diagonal, which are means over what lies above it, go on
+/// below it. That is added above, as far from the diagonal,
+///
+///     M(λ, μ) = m(λ, μ) + m(2μ − λ, μ)   where λ ≥ μ,   0 where λ < μ
+///
+/// so that light of each wavelength sends out as much as the table says. `lines`: E by m.
+Spectrum turned_up(const BispectralMatrix& of, const Spectrum& light, const Spectrum& lines,
+                   double reach) {
+  const auto [from, to] = data_range(of.excitation);
+  const std::vector<double> whole = whole_nm();
+  Spectrum out{joined({&whole, &of.excitation, &light.nm, &lines.nm},
+                      std::min(from - reach, lines.nm.front()),
+                      std::max(std::min(to, lines.nm.back()) + reach, lines.nm.back())),
+               {}};
+  std::erase_if(out.nm, [&](double nm) {
+    const bool near = nm >= from - reach && nm <= to + reach && nm >= lines.nm.front();
+    return !near && !std::binary_search(lines.nm.begin(), lines.nm.end(), nm);
+  });
+  out.values = at(lines, out.nm);
+  const Wavelengths points = points_of(joined({&of.excitation, &light.nm, &out.nm}, from, to));
+  const std::vector<double> power = at(light, points.nm());
+  for (std::size_t i = 0; i < out.nm.size(); ++i) {
+    const double nm = out.nm[i];
+    const auto begin = std::lower_bound(points.nm().begin(), points.nm().end(), nm - reach);
+    for (auto k = static_cast<std::size_t>(begin - points.nm().begin());
+         k < points.size() && points.nm()[k] <= nm + reach; ++k) {
+      const double excited = points.nm()[k];
+      const double moved =
+          nm < excited ? -table_at(of, nm, excited) : table_at(of, 2 * excited - nm, excited);
+      out.values[i] += moved * power[k] * points.widths()[k];
+    }
+    out.values[i] = std::max(out.values[i], 0.0);
+  }
+  return out;
+}
+
 Spectrum reradiated_by(const BispectralMatrix& of, const Spectrum& light) {
   const auto [from, to] = data_range(of.excitation);
   const Wavelengths points = points_of(joined({&of.excitation, &light.nm}, from, to));
@@ -109,7 +186,8 @@ Spectrum reradiated_by(const BispectralMatrix& of, const Spectrum& light) {
   for (std::size_t i = 0; i < power.size(); ++i)
     for (std::size_t j = 0; j < out.values.size(); ++j)
       out.values[j] += power[i] * of.values[i * out.values.size() + j];
-  return out;
+  const double reach = reach_below(of);
+  return reach > 0 && to > from ? turned_up(of, light, out, reach) : out;
 }
 
 /// The share of the emission's photons at `nm` and beyond.

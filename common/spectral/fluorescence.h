@@ -27,8 +27,8 @@ struct Fluorophore {
   double quantum_yield;  ///< Photons out for each that is absorbed, 0..1.
 };
 
-/// M as a table (R. Donaldson, British Journal of Applied Physics 5, 210 (1954)) without what is
-/// merely reflected: linear between its wavelengths in both directions, 0 beyond them.
+/// M as a table (R. Donaldson, British Journal of Applied Physics 5, 210 (1954)), but for what is
+/// reflected: linear between its wavelengths, 0 beyond them and where λ < μ (`turned_up`).
 struct BispectralMatrix {
   std::vector<double> excitation, emission;  ///< nm, rising; at least two each.
   std::vector<double> values;                ///< 1/nm, not negative; by excitation, then emission.
@@ -39,8 +39,8 @@ inline constexpr std::size_t max_bispectral_cells = std::size_t{1} << 18;
 using Fluorescence = std::variant<Fluorophore, BispectralMatrix>;
 
 /// E of light of the power Φ, in its unit: exact where both are straight lines between their
-/// samples. Of a fluorophore whose emission and excitation overlap, the product of two such lines
-/// is one only between whole nanometres.
+/// samples. Where emission and excitation overlap it is taken for a straight line between whole
+/// nanometres.
 Spectrum reradiated(const Fluorescence& fluorescence, const Spectrum& light);
 
 /// From where to where it is excited, nm; nothing: nowhere.

@@ -16,7 +16,48 @@ def reradiated(message: factors_pb2.SampledFluorescence, light: Spectrum) -> Spe
     at = _between([excitation, light.nm], excitation)
     hats = np.stack([np.interp(at.nm, excitation, hat, left=0.0, right=0.0) for hat in np.eye(excitation.size)])
     power = hats @ (light.emission_at(at.nm) * at.widths)
-    return Spectrum(emission, power @ np.array(message.matrix, np.float64).reshape(excitation.size, -1))
+    table = np.array(message.matrix, np.float64).reshape(excitation.size, -1)
+    lines = Spectrum(emission, power @ table)
+    before, after = np.concatenate([emission[:1], emission[:-1]]), np.concatenate([excitation[1:], excitation[-1:]])
+    if not np.any((table > 0) & (before[None, :] < after[:, None])):
+        return lines
+    return _turned_up(table, excitation, lines, light)
+
+
+def _turned_up(table: np.ndarray, excitation: np.ndarray, lines: Spectrum, light: Spectrum) -> Spectrum:
+    """What the table's lines have below the diagonal, as far above it."""
+    emission = lines.nm
+    reach = np.max(np.diff(excitation)) + 2 * np.max(np.diff(emission))
+    low, high = np.clip([excitation[0], excitation[-1]], *_EXCITED)
+    if high <= low:
+        return lines
+    first, last = min(low - reach, emission[0]), max(min(high, emission[-1]) + reach, emission[-1])
+    nm = np.unique(np.concatenate([[first, last], np.arange(_EXCITED[0], _EXCITED[1] + 1), excitation, light.nm, emission]))
+    nm = nm[(nm >= first) & (nm <= last)]
+    near = (nm >= low - reach) & (nm <= high + reach) & (nm >= emission[0])
+    nm = nm[near | np.isin(nm, emission)]
+    at = _between([excitation, light.nm, nm], excitation)
+    power = light.emission_at(at.nm) * at.widths
+    values = np.interp(nm, emission, lines.values, left=0.0, right=0.0)
+    for i, one in enumerate(nm):
+        part = slice(*np.searchsorted(at.nm, [one - reach, one + reach]))
+        excited = at.nm[part]
+        below = one < excited
+        moved = _table_at(table, excitation, emission, np.where(below, one, 2 * excited - one), excited)
+        values[i] = max(values[i] + np.sum(np.where(below, -moved, moved) * power[part]), 0.0)
+    return Spectrum(nm, values)
+
+
+def _table_at(table: np.ndarray, excitation: np.ndarray, emission: np.ndarray, emitted: np.ndarray,
+              excited: np.ndarray) -> np.ndarray:
+    """Linear between its values in both; 0 outside."""
+    i = np.clip(np.searchsorted(excitation, excited, side='right') - 1, 0, excitation.size - 2)
+    j = np.clip(np.searchsorted(emission, emitted, side='right') - 1, 0, emission.size - 2)
+    s = (excited - excitation[i]) / (excitation[i + 1] - excitation[i])
+    t = (emitted - emission[j]) / (emission[j + 1] - emission[j])
+    inside = (s >= 0) & (s <= 1) & (t >= 0) & (t <= 1)
+    rows = [table[i + k, j] + t * (table[i + k, j + 1] - table[i + k, j]) for k in (0, 1)]
+    return np.where(inside, rows[0] + s * (rows[1] - rows[0]), 0.0)
 
 
 def _by_molecules(message: factors_pb2.SampledFluorescence, light: Spectrum) -> Spectrum:

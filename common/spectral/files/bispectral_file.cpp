@@ -12,6 +12,7 @@ namespace {
 
 using namespace spectrum_text;
 
+constexpr std::size_t looked_at = 1000;
 constexpr double least_emission_nm = 1, most_emission_nm = 10'000;
 
 std::vector<Lines::Line> rows_of(const Lines& lines) {
@@ -29,7 +30,7 @@ std::size_t numbers_in(const Row& row, const Dialect& dialect) {
 }
 
 /// The way of writing in which the heading's cells behind the first are numbers, and most of the
-/// next line's.
+/// first thousand lines': whole numbers look the same with decimal points and commas.
 std::optional<Dialect> dialect_of_matrix(const std::vector<Lines::Line>& rows) {
   std::optional<Dialect> best;
   std::size_t most = 0;
@@ -38,7 +39,8 @@ std::optional<Dialect> dialect_of_matrix(const std::vector<Lines::Line>& rows) {
     const std::size_t wavelengths = numbers_in({top.begin() + 1, top.end()}, dialect);
     if (wavelengths + 1 != top.size() || wavelengths == 0) continue;
     std::size_t numbers = wavelengths;
-    if (rows.size() > 1) numbers += numbers_in(cut(rows[1].text, rows[1].number, dialect), dialect);
+    for (std::size_t i = 1; i < std::min(rows.size(), looked_at); ++i)
+      numbers += numbers_in(cut(rows[i].text, rows[i].number, dialect), dialect);
     if (numbers <= most) continue;
     most = numbers;
     best = dialect;

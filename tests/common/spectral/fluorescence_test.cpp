@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace metamer::test {
 namespace {
 
@@ -50,6 +52,33 @@ TEST(Reradiation, OfAMatrixIsLinearBetweenItsWavelengths) {
   EXPECT_NEAR(resample(out, {550}, Outside::zero).values[0], 0.005 * 55'000 / 3, 1e-9);
   EXPECT_NEAR(reradiated_shares(matrix, {350})[0], 0.5 * 0.01 * 50, 1e-12);
   EXPECT_EQ(reradiated_shares(matrix, {299, 401}), (std::vector<double>{0, 0}));
+}
+
+TEST(Reradiation, OfAMatrixsCellOnTheDiagonalGoesToNoShorterWavelength) {
+  BispectralMatrix matrix{{400, 410, 420, 430}, {400, 410, 420, 430, 440}, {}};
+  matrix.values.assign(20, 0.0);
+  matrix.values[1 * 5 + 1] = 0.02;  // 410 nm at 410 nm: 0.02 · 10 of it in all
+  const double at_412 = 0.8 * 0.2;  // of the line between 410 and 420
+  const Spectrum out = reradiated(matrix, Spectrum{{411.999, 412, 412.001}, {0, 1000, 0}});
+  const auto at = [&](double nm) { return resample(out, {nm}, Outside::zero).values[0]; };
+  for (const double nm : {400.0, 405.0, 410.0, 411.0}) EXPECT_NEAR(at(nm), 0, 1e-15) << nm;
+  // Below it lay 400 to 412; of its own side 412 to 420.
+  EXPECT_NEAR(at(414), 0.8 * 0.02 * (0.6 + 1.0), 2e-6);
+  EXPECT_NEAR(at(422), 0.8 * 0.02 * 0.2, 1e-5);
+  EXPECT_NEAR(at(425), 0, 1e-15);
+  double sum = 0;
+  for (std::size_t i = 1; i < out.nm.size(); ++i)
+    sum += (out.nm[i] - out.nm[i - 1]) * (out.values[i] + out.values[i - 1]) / 2;
+  EXPECT_NEAR(sum, at_412, 0.02 * at_412);  // a step within a nanometre
+  EXPECT_NEAR(reradiated_shares(matrix, {412})[0], at_412, 1e-12);
+
+  // Under light of all wavelengths as much as the table's own sum.
+  const Spectrum all = reradiated(matrix, Spectrum{{300, 900}, {1, 1}});
+  double every = 0;
+  for (std::size_t i = 1; i < all.nm.size(); ++i)
+    every += (all.nm[i] - all.nm[i - 1]) * (all.values[i] + all.values[i - 1]) / 2;
+  EXPECT_NEAR(every, 0.02 * 10 * 10, 1e-3);
+  EXPECT_TRUE(std::is_sorted(all.nm.begin(), all.nm.end()));
 }
 
 TEST(Reradiation, IsExcitedFrom300To830) {

@@ -27,6 +27,15 @@ TEST(BispectralFile, IsATableInAnyOrderAndWriting) {
   }
 }
 
+TEST(BispectralFile, ItsFirstDecimalCommaMayComeLate) {
+  const auto matrix = read_bispectral_file("x;540;550\n440;0;0\n450;0;0,05\n", "m.csv");
+  ASSERT_TRUE(matrix) << matrix.error().message;
+  EXPECT_EQ(matrix->values, (std::vector<double>{0, 0, 0, 0.05}));
+  EXPECT_EQ(fault_of("x;540;550\n440;0,1;0,2\n450;0;0.05\n"),
+            "m.csv:3:7: \"0.05\" is not a number: its decimal sign or what parts its thousands "
+            "can't be told");
+}
+
 TEST(BispectralFile, IsKnownByItsFirstCell) {
   EXPECT_TRUE(is_bispectral("# by hand\nExcitation nm,400,450\n300,0,0\n"));
   EXPECT_FALSE(is_bispectral("nm,400,450\n300,0,0\n"));
