@@ -29,6 +29,17 @@ const EnumDescriptor* find_enum(const Descriptor& message, const std::string& fi
   return nullptr;
 }
 
+bool has_message(const Descriptor& message, const std::string& field, const std::string& type) {
+  for (int i = 0; i < message.field_count(); ++i) {
+    const FieldDescriptor* member = message.field(i);
+    const Descriptor* own = member->message_type();
+    if (own == nullptr) continue;
+    if (member->name() == field && own->name() == type) return true;
+    if (has_message(*own, field, type)) return true;
+  }
+  return false;
+}
+
 std::string join(const std::vector<std::string>& names) {
   std::string result;
   for (const std::string& name : names) result += (result.empty() ? "" : ", ") + name;

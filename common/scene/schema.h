@@ -15,6 +15,10 @@ std::vector<std::string> value_names(const google::protobuf::EnumDescriptor& typ
 const google::protobuf::EnumDescriptor* find_enum(const google::protobuf::Descriptor& message,
                                                   const std::string& field);
 
+/// Whether a field of that name, in `message` or in what it holds, is a message of that type.
+bool has_message(const google::protobuf::Descriptor& message, const std::string& field,
+                 const std::string& type);
+
 /// "a, b, c".
 std::string join(const std::vector<std::string>& names);
 

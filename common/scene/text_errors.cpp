@@ -6,6 +6,7 @@
 
 #include "common/problem.h"
 #include "common/scene/schema.h"
+#include "common/scene/text_tokens.h"
 
 namespace metamer {
 
@@ -57,6 +58,26 @@ Problem no_such_value(const std::string& field, const std::string& value, const 
   return unknown_name(
       field + " has no value " + quoted(value) + " (its values: " + join(known) + ")", value,
       known);
+}
+
+/// What a spectrum could be that is written as a number or a file's name, at `position`; empty:
+/// nothing of that kind stands there.
+std::string meant_spectrum(std::string_view text, TextPosition position, const Descriptor& root) {
+  using Tokenizer = google::protobuf::io::Tokenizer;
+  TextTokens tokens(text);
+  std::string field;
+  while (tokens.next() && tokens.position() < position)
+    if (tokens.is_identifier()) field = tokens.text();
+  if (!(tokens.position() == position) || !has_message(root, field, "Spectrum")) return {};
+  switch (tokens.type()) {
+    case Tokenizer::TYPE_INTEGER:
+    case Tokenizer::TYPE_FLOAT:
+      return "{ constant: " + tokens.text() + " }";
+    case Tokenizer::TYPE_STRING:
+      return "{ file: " + tokens.text() + " }";
+    default:
+      return {};
+  }
 }
 
 /// What is left: protobuf's sentence in the form of our own.
@@ -117,7 +138,12 @@ TextError reword(std::string_view message, TextPosition position, std::string_vi
     return {position, "expected the name of a value" + found(m->at(0))};
   }
   if (const auto m = match(message, "Expected \"*\", found \"*\".")) {
-    return {position, "expected " + quoted(m->at(0)) + found(m->at(1))};
+    TextError error{position, "expected " + quoted(m->at(0)) + found(m->at(1))};
+    error.meant = m->at(0) == "{" ? meant_spectrum(text, position, root) : "";
+    if (error.meant.empty()) return error;
+    error.was = m->at(1);
+    error.message += "; a spectrum is meant: " + error.meant;
+    return error;
   }
   if (const auto m = match(message, "Integer out of range (*)")) {
     return {position, m->at(0) + " is too large"};

@@ -109,6 +109,27 @@ TEST(SceneParse, SyntaxErrorsSayWhatWasExpectedAndFound) {
             "       ^");
 }
 
+TEST(SceneParse, ANumberInASpectrumsPlaceIsAConstant) {
+  EXPECT_EQ(
+      parse_error("material { fresnel { dielectric { n: 1.5 } } }"),
+      "s.txtpb:1:38: error: expected \"{\", found \"1.5\"; a spectrum is meant: { constant: 1.5 "
+      "}\n"
+      "material { fresnel { dielectric { n: 1.5 } } }\n"
+      "                                     ^");
+  EXPECT_EQ(
+      parse_error("material { diffuse: 'red.csv' }"),
+      "s.txtpb:1:21: error: expected \"{\", found \"'red.csv'\"; a spectrum is meant: { file: "
+      "'red.csv' }\n"
+      "material { diffuse: 'red.csv' }\n"
+      "                    ^");
+  const auto scene = SceneFile::parse("material { fresnel { dielectric { n: 1.5 } } }", "s.txtpb");
+  ASSERT_FALSE(scene);
+  EXPECT_EQ(scene.error().was, "1.5");
+  EXPECT_EQ(scene.error().meant, "{ constant: 1.5 }");
+  EXPECT_TRUE(
+      SceneFile::parse("material { fresnel { dielectric { n: { constant: 1.5 } } } }", "s.txtpb"));
+}
+
 TEST(SceneParse, BrokenStringsAndControlCharactersAreErrors) {
   EXPECT_EQ(parse_error("light { name: \"ceil\n }"),
             "s.txtpb:1:20: error: string literals cannot cross line boundaries\n"
