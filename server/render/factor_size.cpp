@@ -32,8 +32,8 @@ FactorSize factor_size(const Probe& probe, const v1::Plan& plan, const std::atom
     sink.begin({0, 0, 1, 1});
     sink.take(0, 0, gather);
     const double bytes = static_cast<double>(sink.finish().ByteSizeLong());
-    size.pixel = sink.overflowed() ? std::numeric_limits<double>::infinity()
-                                   : std::max(size.pixel, bytes);
+    size.pixel =
+        sink.overflowed() ? std::numeric_limits<double>::infinity() : std::max(size.pixel, bytes);
     if (sink.overflowed()) break;
     sum += bytes;
   }
