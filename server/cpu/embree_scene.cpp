@@ -7,6 +7,7 @@
 #include <new>
 #include <numbers>
 
+#include "server/cpu/renderer.h"
 #include "server/scene/placement.h"
 
 namespace metamer::cpu {
@@ -97,12 +98,17 @@ bool keep_building(void* cancelled, double) {
   return !static_cast<const std::atomic<bool>*>(cancelled)->load(std::memory_order_relaxed);
 }
 
+std::atomic<bool> kept_to_avx2 = false;
+
 }  // namespace
+
+void keep_to_avx2() { kept_to_avx2 = true; }
 
 std::optional<EmbreeScene> EmbreeScene::build(const RenderScene& scene,
                                               const std::atomic<bool>& cancelled) {
   EmbreeScene result;
-  result.device_.reset(rtcNewDevice("tessellation_cache_size=0"));
+  result.device_.reset(rtcNewDevice(kept_to_avx2 ? "tessellation_cache_size=0,isa=avx2"
+                                                 : "tessellation_cache_size=0"));
   const RTCDevice device = result.device_.get();
   // Then it is looked with every hit whether it counts.
   result.passed_ = !scene.media.empty();

@@ -4,9 +4,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "common/digest.h"
+#include "common/wire/worker_program.h"
 #include "server/service/ops/usage.h"
 #include "server/service/store/schema.h"
 
@@ -42,17 +42,6 @@ constexpr std::chrono::seconds look_interval{1};
 
 /// Of assets, that go at a time where the state's disk is full: many tiles, few of the assets.
 constexpr std::uint64_t room_bytes = 16u << 20;
-
-/// Tells whether a worker is the one that rendered a job's tiles: two programs may differ in the
-/// last bit. Empty where it can't be read.
-std::string digest_of_program(const std::filesystem::path& program) {
-  std::ifstream file(program, std::ios::binary);
-  DigestStream sum;
-  std::vector<char> piece(1 << 20);
-  while (file.read(piece.data(), static_cast<std::streamsize>(piece.size())) || file.gcount() > 0)
-    sum.update({piece.data(), static_cast<std::size_t>(file.gcount())});
-  return to_hex(sum.finish());
-}
 
 bool hold_all(const v1::Submit& submit, AssetHolds& holds) {
   const auto add = [&](const std::string& bytes) {
@@ -122,7 +111,7 @@ Result<void> Service::start() {
     auto state = JobStore::open(context_.get_executor(), options_.state);
     if (!state) return tl::unexpected(state.error());
     state_ = *std::move(state);
-    build_ = digest_of_program(options_.worker.command.program);
+    build_ = wire::digest_of_program(options_.worker.command.program);
     queue_.keep_in(*state_, build_);
   }
   if (auto opened = open_users(); !opened) return opened;

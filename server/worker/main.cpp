@@ -1,5 +1,6 @@
 // metamer-worker: started by metamerd, which talks to it over descriptor 3 and shares the picture's
-// memory as descriptor 4.
+// memory as descriptor 4. Or, with --batch, a task of a cluster, which starts another as the daemon
+// would.
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -8,10 +9,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <thread>
 
+#include "server/batch/batch.h"
 #include "server/cpu/renderer.h"
 #include "server/gl/renderer.h"
 #include "server/sandbox/sandbox.h"
@@ -27,8 +30,10 @@ constexpr int film_descriptor = 4;
 
 constexpr const char* usage =
     "usage: metamer-worker --store DIR --threads N [--gl-device auto|reference|N] [--nice N] "
-    "[--group DIR] [--unconfined yes]\n"
-    "Started by metamerd; descriptor 3 is its socket, descriptor 4 the picture's memory.\n";
+    "[--group DIR] [--unconfined yes] [--isa avx2]\n"
+    "Started by metamerd; descriptor 3 is its socket, descriptor 4 the picture's memory.\n"
+    "   or: metamer-worker --batch FILE [--threads N] [--nice N] [--unconfined yes]\n"
+    "Carries out an order of metamerd's, as a task of a cluster.\n";
 
 /// Moves this process into a control group, and so all that it will start.
 void enter_group(const std::string& folder) {
@@ -124,13 +129,16 @@ int run(metamer::worker::WorkerOptions options, const std::string& gl_device, bo
 int main(int count, char** arguments) {
   metamer::worker::WorkerOptions options{
       .store = {}, .threads = 0, .backend = nullptr, .film_descriptor = film_descriptor};
-  std::string gl_device;
+  std::string gl_device, order;
   bool unconfined = false;
   for (int i = 1; i + 1 < count; i += 2) {
     if (std::strcmp(arguments[i], "--store") == 0) options.store = arguments[i + 1];
+    if (std::strcmp(arguments[i], "--batch") == 0) order = arguments[i + 1];
     if (std::strcmp(arguments[i], "--gl-device") == 0) gl_device = arguments[i + 1];
     if (std::strcmp(arguments[i], "--group") == 0) enter_group(arguments[i + 1]);
     if (std::strcmp(arguments[i], "--unconfined") == 0) unconfined = true;
+    if (std::strcmp(arguments[i], "--isa") == 0 && std::strcmp(arguments[i + 1], "avx2") == 0)
+      metamer::cpu::keep_to_avx2();
     // Before there is a thread or the importer, which are as nice as this.
     if (std::strcmp(arguments[i], "--nice") == 0 &&
         setpriority(PRIO_PROCESS, 0, std::atoi(arguments[i + 1])) != 0)
@@ -139,6 +147,11 @@ int main(int count, char** arguments) {
       options.threads = static_cast<unsigned>(std::strtoul(arguments[i + 1], nullptr, 10));
   }
   if (options.threads == 0) options.threads = std::max(1u, std::thread::hardware_concurrency());
+  if (!order.empty())
+    return metamer::batch::run_batch({.order = order,
+                                      .program = std::filesystem::canonical("/proc/self/exe"),
+                                      .threads = options.threads,
+                                      .unconfined = unconfined});
   if (options.store.empty() || fcntl(link_descriptor, F_GETFD) < 0 ||
       fcntl(film_descriptor, F_GETFD) < 0) {
     std::fputs(usage, stderr);

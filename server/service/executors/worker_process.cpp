@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "server/service/executors/worker_exit.h"
+#include "common/wire/worker_exit.h"
 
 namespace metamer::service {
 
@@ -92,6 +92,7 @@ int start(const WorkerCommand& command, int socket, int film, pid_t& pid) {
   if (command.niceness != 0)
     words.insert(words.end(), {"--nice", std::to_string(command.niceness)});
   if (!command.group.empty()) words.insert(words.end(), {"--group", command.group.string()});
+  if (command.isa != "native") words.insert(words.end(), {"--isa", command.isa});
   if (command.unconfined) words.insert(words.end(), {"--unconfined", "yes"});
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
@@ -285,11 +286,11 @@ void WorkerProcess::report_if_over() {
   channel_.close();
   unsent_signal_.cancel();
   const auto exit = std::exchange(handlers_, {}).exit;
-  if (exit) exit(kill_reason_.empty() ? describe_exit(*status_) : kill_reason_);
+  if (exit) exit(kill_reason_.empty() ? wire::describe_exit(*status_) : kill_reason_);
 }
 
 bool WorkerProcess::ran_out_of_memory(bool kernel) const {
-  return kill_reason_.empty() && status_ && is_out_of_memory(*status_, kernel);
+  return kill_reason_.empty() && status_ && wire::is_out_of_memory(*status_, kernel);
 }
 
 bool WorkerProcess::size_film(std::uint64_t bytes) {

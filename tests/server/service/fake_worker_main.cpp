@@ -2,7 +2,8 @@
 // what it does with the job: see fake_worker_script.h. A pixel of the picture is (x, y, 1).
 //
 // A file beside the store can spoil the start: `no-start` makes it exit with code 3, `never-ready`
-// keeps it from saying that it is ready. One for GL leaves the file `started-gl` there.
+// keeps it from saying that it is ready. One for GL leaves the file `started-gl` there. With
+// --batch it is a task of a cluster, which starts another.
 
 #include <fcntl.h>
 #include <poll.h>
@@ -27,6 +28,7 @@
 #include "common/wire/worker_exit.h"
 #include "fake_worker_deeds.h"
 #include "fake_worker_script.h"
+#include "server/batch/batch.h"
 
 namespace {
 
@@ -358,6 +360,9 @@ int main(int count, char** arguments) {
     return std::strcmp(word, "--gl-device") == 0;
   });
   for (int i = 1; i + 1 < count; ++i) {
+    if (std::strcmp(arguments[i], "--batch") == 0)
+      return batch::run_batch(
+          {.order = arguments[i + 1], .program = fs::canonical("/proc/self/exe")});
     if (std::strcmp(arguments[i], "--store") != 0) continue;
     if (gl) std::ofstream(fs::path(arguments[i + 1]) / beside / "started-gl").put('x');
     return run(arguments[i + 1]);

@@ -1,10 +1,10 @@
-#include "server/service/jobs/tiles.h"
+#include "common/wire/tiles.h"
 
 #include <algorithm>
 #include <cassert>
 #include <utility>
 
-namespace metamer::service {
+namespace metamer::wire {
 
 namespace {
 
@@ -123,4 +123,4 @@ std::optional<std::uint32_t> TileGrid::find(const Rect& wanted) const {
   return index;
 }
 
-}  // namespace metamer::service
+}  // namespace metamer::wire

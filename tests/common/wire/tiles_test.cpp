@@ -1,4 +1,4 @@
-#include "server/service/jobs/tiles.h"
+#include "common/wire/tiles.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace metamer::service {
+namespace metamer::wire {
 
 TEST(Tiles, CoverEveryPixelOnce) {
   for (const std::uint32_t width : {1u, 7u, 8u, 64u, 100u, 129u}) {
@@ -71,4 +71,4 @@ TEST(Tiles, KnowWhatIsNone) {
   EXPECT_FALSE(grid.find({0, 4294967280u, 16, 16}));
 }
 
-}  // namespace metamer::service
+}  // namespace metamer::wire

@@ -1,13 +1,11 @@
-#include "server/service/executors/worker_exit.h"
+#include "common/wire/worker_exit.h"
 
 #include <signal.h>
 #include <sys/wait.h>
 
 #include <cstring>
 
-#include "common/wire/worker_exit.h"
-
-namespace metamer::service {
+namespace metamer::wire {
 
 std::string describe_exit(int wait_status) {
   if (WIFSIGNALED(wait_status)) {
@@ -21,7 +19,7 @@ std::string describe_exit(int wait_status) {
 
 bool is_out_of_memory(int wait_status, bool kernel) {
   if (WIFSIGNALED(wait_status)) return kernel && WTERMSIG(wait_status) == SIGKILL;
-  return WEXITSTATUS(wait_status) == wire::exit_out_of_memory;
+  return WEXITSTATUS(wait_status) == exit_out_of_memory;
 }
 
-}  // namespace metamer::service
+}  // namespace metamer::wire

@@ -1,0 +1,71 @@
+#include "server/batch/batch.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+#include "common/wire/batch_file.h"
+#include "common/wire/worker_program.h"
+#include "server/batch/task.h"
+
+namespace metamer::batch {
+namespace {
+
+int fail_batch(const std::string& message) {
+  std::fprintf(stderr, "metamer-worker: %s\n", message.c_str());
+  return 1;
+}
+
+std::string node_name() {
+  char name[65] = {};
+  (void)::gethostname(name, sizeof name - 1);
+  // Several nodes of a test are one machine.
+  const char* const slurm = std::getenv("SLURMD_NODENAME");
+  return slurm ? slurm : name;
+}
+
+/// As the system says it; empty where it does not.
+std::string cpu_name() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (const auto colon = line.find(": "); line.starts_with("model name") && colon != line.npos)
+      return line.substr(colon + 2);
+  return {};
+}
+
+v1::BatchResult carry_out(const v1::BatchOrder& order, const BatchOptions& options) {
+  v1::BatchResult result;
+  result.set_job_id(order.job_id());
+  result.set_attempt(order.attempt());
+  result.set_first(order.first());
+  const auto lost = [&](const std::string& why) {
+    result.set_lost(why);
+    return result;
+  };
+  if (!order.build().empty() && wire::digest_of_program(options.program) != order.build())
+    return lost(options.program.string() + " is not the server's metamer-worker");
+  auto worker = OwnWorker::start({.program = options.program,
+                                  .store = order.assets(),
+                                  .threads = options.threads,
+                                  .unconfined = options.unconfined});
+  if (!worker) return lost(worker.error().message);
+  return Task(order, *worker).run(options.threads);
+}
+
+}  // namespace
+
+int run_batch(const BatchOptions& options) {
+  const auto order = wire::read_batch_order(options.order);
+  if (!order) return fail_batch(order.error().message);
+  v1::BatchResult result = carry_out(*order, options);
+  result.set_node(node_name());
+  result.set_cpu(cpu_name());
+  if (!result.lost().empty()) (void)fail_batch(result.lost());
+  const auto written = wire::write_batch_file(order->result(), result);
+  return written ? 0 : fail_batch(written.error().message);
+}
+
+}  // namespace metamer::batch
