@@ -7,7 +7,9 @@
 
 #include "common/digest.h"
 #include "common/wire/worker_program.h"
+#include "server/service/executors/slurm/task_name.h"
 #include "server/service/ops/usage.h"
+#include "server/service/store/durable_file.h"
 #include "server/service/store/schema.h"
 
 namespace metamer::service {
@@ -23,12 +25,30 @@ Limits completed(Limits limits) {
 }
 
 ServiceOptions completed(ServiceOptions options) {
+  // Assets that nodes are to read lie where nodes see them.
+  if (options.executor == "slurm" && options.store.empty())
+    options.store = options.slurm.folder / "assets";
   if (!options.state.empty() && options.store.empty()) options.store = options.state / "assets";
   std::error_code ignored;
   const auto absolute = std::filesystem::absolute(options.store, ignored);
   if (!ignored) options.store = absolute;
   options.worker.command.store = options.store;
   options.limits = completed(options.limits);
+  return options;
+}
+
+/// Of Slurm's tasks, which run the same worker.
+SlurmExecutor::Options slurm_options(const ServiceOptions& all, const std::string& build,
+                                     const std::string& server_id) {
+  SlurmExecutor::Options options = all.slurm;
+  std::error_code ignored;
+  options.folder = std::filesystem::absolute(options.folder, ignored);
+  options.store = all.store;
+  options.server = task_prefix(server_id);
+  options.commands.worker = std::filesystem::absolute(all.worker.command.program, ignored);
+  options.commands.threads = std::max(1u, all.worker.command.threads);
+  options.commands.unconfined = all.worker.command.unconfined;
+  options.run.build = build;
   return options;
 }
 
@@ -114,12 +134,19 @@ Result<void> Service::start() {
     build_ = wire::digest_of_program(options_.worker.command.program);
     queue_.keep_in(*state_, build_);
   }
+  if (options_.executor == "slurm") {
+    if (auto made = make_folder(options_.slurm.folder, "Slurm's folder"); !made) return made;
+    if (build_.empty()) build_ = wire::digest_of_program(options_.worker.command.program);
+    slurm_.emplace(context_.get_executor(),
+                   slurm_options(options_, build_, state_ ? state_->server_id() : ""), queue_,
+                   cpu_views_);
+  }
   if (auto opened = open_users(); !opened) return opened;
   auto store = AssetStore::open(options_.store, options_.store_bytes);
   if (!store) return tl::unexpected(store.error());
   store_ = *std::move(store);
   service_context_ = std::make_unique<ServiceContext>(
-      ServiceContext{*store_, queue_, views_, cpu_, cpu_views_, gl_, cpu_views_, gl_,
+      ServiceContext{*store_, queue_, views_, cpu(), cpu_views_, gl_, cpu_views_, gl_,
                      [this] { return listener_.sessions(); }, options_.limits, options_.patience,
                      *logins_, Accounts(users_ ? &*users_ : nullptr), state_.get()});
   service_context_->tell_usage = [this](const Identity& who, v1::Info& info) {
@@ -135,7 +162,7 @@ Result<void> Service::start() {
   for (const wire::Endpoint& endpoint : options_.listen) {
     if (auto opened = listener_.open(endpoint, options_.listening); !opened) return opened;
   }
-  cpu_.start();
+  cpu().start();
   listener_.start(*service_context_);
   return {};
 }
@@ -186,6 +213,11 @@ asio::awaitable<void> Service::look_after_jobs() {
   }
 }
 
+Executor& Service::cpu() {
+  if (slurm_) return *slurm_;
+  return cpu_;
+}
+
 Counts Service::counts() {
   Counts all;
   all.jobs = queue_.counts();
@@ -200,7 +232,7 @@ Counts Service::counts() {
   all.store_bytes = store_->bytes();
   all.state_bytes = state_ ? queue_.picture_bytes() : 0;
   for (const Executor* executor :
-       std::initializer_list<const Executor*>{&cpu_, &cpu_views_, &gl_}) {
+       std::initializer_list<const Executor*>{&cpu(), &cpu_views_, &gl_}) {
     const v1::WorkerInfo info = executor->info();
     all.workers.push_back({info.backend(), info.starts(), executor->losses()});
   }
@@ -225,11 +257,12 @@ Result<void> Service::reload_certificates() {
 }
 
 void Service::stop() {
-  cpu_.charge_job();
+  cpu().charge_job();
   gl_.charge_job();
   queue_.set_aside();
   next_look_.cancel();
   listener_.stop();
+  if (slurm_) slurm_->stop();
   cpu_.stop();
   cpu_views_.stop();
   gl_.stop();

@@ -5,11 +5,14 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "common/problem.h"
 #include "server/service/access/logins.h"
 #include "server/service/access/users.h"
+#include "server/service/executors/slurm/slurm_executor.h"
 #include "server/service/executors/supervisor.h"
 #include "server/service/net/dispatch.h"
 #include "server/service/net/listener.h"
@@ -30,7 +33,9 @@ struct ServiceOptions {
   Limits limits;
   Patience patience;
   WallClock clock = wall_clock;
-  Supervisor::Options worker;  ///< Of all lanes; its store and lane are filled in.
+  Supervisor::Options worker;      ///< Of all lanes; its store and lane are filled in.
+  std::string executor = "local";  ///< Who has the CPU's jobs: "local" or "slurm".
+  SlurmExecutor::Options slurm;    ///< Its store, worker and names are filled in.
 };
 
 /// The whole daemon, on one thread: everything here and below runs in `context` and nowhere else,
@@ -62,6 +67,7 @@ class Service {
   Result<void> open_users();
   void restore_jobs();
   asio::awaitable<void> look_after_jobs();
+  Executor& cpu();
 
   asio::io_context& context_;
   ServiceOptions options_;
@@ -75,6 +81,7 @@ class Service {
   JobQueue queue_;
   Views views_;
   Supervisor cpu_, cpu_views_, gl_;
+  std::optional<SlurmExecutor> slurm_;  // in the place of cpu_
   std::unique_ptr<ServiceContext> service_context_;
   Listener listener_;
 };

@@ -152,8 +152,10 @@ std::string describe(const v1::JobSummary& job, const std::string& server) {
                 job.tiles() > 0 ? tiles(job.tiles_done(), job.tiles()).c_str() : "-",
                 clock(job.age()).c_str(), job.backend() == v1::GL ? "gl" : "cpu");
   const std::string user = job.user().empty() ? "-" : printable(job.user());
-  const bool failed = job.state() == v1::FAILED && !job.reason().empty();
-  const std::string reason = failed ? "  (" + printable(job.reason()) + ")" : "";
+  // What a job waits for is said where it is asked for (waiting_text).
+  const bool says =
+      (job.state() == v1::FAILED || job.state() == v1::RUNNING) && !job.reason().empty();
+  const std::string reason = says ? "  (" + printable(job.reason()) + ")" : "";
   return text.data() + user + "  " + printable(job.name()) + reason;
 }
 

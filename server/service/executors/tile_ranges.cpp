@@ -1,7 +1,9 @@
 #include "server/service/executors/tile_ranges.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "common/wire/frame.h"
 #include "server/service/limits.h"
 
 namespace metamer::service {
@@ -29,8 +31,23 @@ Digest digest_of(const RangeOrder& order, const std::vector<RangeResult::Tile>& 
     add_number(sum, tile.rays);
     add_number(sum, tile.xyz.size());
     sum.update(tile.xyz);
+    add_number(sum, tile.factors.size());
+    sum.update(tile.factors);
   }
   return sum.finish();
+}
+
+bool fits(const Job& job, std::uint32_t index, const RangeResult::Tile& tile) {
+  const std::size_t most_factors = job.submit().keep_factors() ? wire::max_factors : 0;
+  return index < job.tiles().size() && tile.xyz.size() == bytes_of(job.tiles().rect(index)) &&
+         tile.factors.size() <= most_factors;
+}
+
+void put_tile(Job& job, std::uint32_t index, RangeResult::Tile tile) {
+  job.film().paste(job.tiles().rect(index), tile.xyz);
+  // A picture outlives its factors: a tile beyond what is kept has none.
+  if (!tile.factors.empty()) (void)job.add_factors(index, tile.factors);
+  job.add_tile(index, tile.rays);
 }
 
 TileRanges::TileRanges(Job& job, std::uint64_t& attempts, std::uint32_t most_tiles)
@@ -80,15 +97,26 @@ void TileRanges::lose(std::uint64_t attempt) {
   if (const auto found = find(attempt); found != out_.end()) fail(found);
 }
 
+void TileRanges::withdraw(std::uint64_t attempt) {
+  const auto found = find(attempt);
+  if (found == out_.end()) return;
+  --ranges_[found->range].out;
+  out_.erase(found);
+}
+
+std::size_t TileRanges::waiting() const {
+  return static_cast<std::size_t>(std::count_if(
+      ranges_.begin(), ranges_.end(), [](const Range& one) { return !one.done && one.out == 0; }));
+}
+
 bool TileRanges::is_whole(const RangeOrder& order, const RangeResult& result) const {
   if (result.tiles.size() != order.range.count) return false;
   for (std::uint32_t i = 0; i < order.range.count; ++i)
-    if (result.tiles[i].xyz.size() != bytes_of(job_.tiles().rect(order.range.first + i)))
-      return false;
+    if (!fits(job_, order.range.first + i, result.tiles[i])) return false;
   return digest_of(order, result.tiles) == result.digest;
 }
 
-TileRanges::Verdict TileRanges::take(const RangeResult& result) {
+TileRanges::Verdict TileRanges::take(RangeResult result) {
   const auto found = find(result.attempt);
   if (found == out_.end()) return Verdict::late;
   const RangeOrder order = found->order;
@@ -105,11 +133,8 @@ TileRanges::Verdict TileRanges::take(const RangeResult& result) {
   if (job_.state() != v1::RUNNING) return Verdict::late;
   range.done = true;
   ++done_;
-  for (std::uint32_t i = 0; i < order.range.count; ++i) {
-    const std::uint32_t index = order.range.first + i;
-    job_.film().paste(job_.tiles().rect(index), result.tiles[i].xyz);
-    job_.add_tile(index, result.tiles[i].rays);
-  }
+  for (std::uint32_t i = 0; i < order.range.count; ++i)
+    put_tile(job_, order.range.first + i, std::move(result.tiles[i]));
   return Verdict::counts;
 }
 

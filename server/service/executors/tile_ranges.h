@@ -29,7 +29,8 @@ struct RangeOrder {
 struct RangeResult {
   struct Tile {
     std::uint64_t rays = 0;
-    std::string xyz;  ///< f32, little-endian, row by row, of the tile's rectangle.
+    std::string xyz;      ///< f32, little-endian, row by row, of the tile's rectangle.
+    std::string factors;  ///< A TileFactors, if the job keeps factors.
   };
   std::uint64_t attempt = 0;
   std::vector<Tile> tiles;
@@ -37,8 +38,13 @@ struct RangeResult {
 };
 
 /// SHA-256 of an order and its tiles: numbers as 8 bytes, little-endian; job, attempt, first and
-/// count, then of each tile rays, the length of its pixels, and these.
+/// count, then of each tile rays, the length of its pixels, these, and likewise its factors.
 Digest digest_of(const RangeOrder& order, const std::vector<RangeResult::Tile>& tiles);
+
+/// Whether pixels and factors are as many as a tile of this job's plan may have.
+bool fits(const Job& job, std::uint32_t index, const RangeResult::Tile& tile);
+/// Makes a tile that fits, and is not done, a running job's.
+void put_tile(Job& job, std::uint32_t index, RangeResult::Tile tile);
 
 /// The tiles that a running job lacks, cut into ranges that are rendered wherever, in any order,
 /// more than once if need be. Of each range the first whole result counts: its tiles become the
@@ -62,10 +68,14 @@ class TileRanges {
     late,     ///< Another was first, or nobody waits for that attempt any more.
     damaged,  ///< Not what was rendered, or not of that range.
   };
-  Verdict take(const RangeResult& result);
+  Verdict take(RangeResult result);
   /// Nothing will come of an attempt.
   void lose(std::uint64_t attempt);
+  /// The same, and the job had no part in it: that counts for nothing.
+  void withdraw(std::uint64_t attempt);
 
+  /// How many nobody has.
+  std::size_t waiting() const;
   bool complete() const { return done_ == ranges_.size(); }
   /// A range has been lost or damaged max_losses times: that is the job's doing.
   bool hopeless() const { return hopeless_; }

@@ -78,6 +78,10 @@ void Job::hold(std::string reason, std::uint32_t ahead) {
   if (is_news) append(queued_event(ahead, reason_));
 }
 
+void Job::note(std::string where) {
+  if (state_ == v1::RUNNING) reason_ = std::move(where);
+}
+
 bool Job::start() {
   if (!take(Step::start)) return false;
   attempt_tiles_ = 0;

@@ -90,6 +90,8 @@ class Job : public std::enable_shared_from_this<Job> {
 
   /// Says what a queued job waits for, besides the `ahead` ones; nothing: for no more than these.
   void hold(std::string reason, std::uint32_t ahead);
+  /// Says where a running job is rendered, where that is not one machine's doing.
+  void note(std::string where);
   /// Among its owner's jobs: higher first.
   void prioritize(std::int32_t priority);
   bool start();
@@ -230,7 +232,7 @@ class Job : public std::enable_shared_from_this<Job> {
   std::uint32_t tiles_done_ = 0;
   std::uint32_t attempt_tiles_ = 0;  // of them, since the last start
   std::uint64_t rays_ = 0;
-  std::string reason_;  // why it failed, or still waits
+  std::string reason_;  // why it failed, or still waits; or where it runs
 
   JobStore* store_ = nullptr;                     // where it is kept, if anywhere
   std::unique_ptr<TileFile> on_disk_;             // its tiles, where it is kept

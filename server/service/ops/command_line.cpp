@@ -143,6 +143,8 @@ Problems contradictions(const Settings& settings) {
       wrong(tls.error().message);
     }
   }
+  if (settings.service.executor == "slurm" && settings.service.slurm.folder.empty())
+    wrong("executor: Slurm needs a folder that all nodes see: --slurm-folder");
   const std::string& group = listening.socket.group;
   if (!group.empty() && !::getgrnam(group.c_str()))
     wrong("socket-group: there is no group \"" + group + "\"");

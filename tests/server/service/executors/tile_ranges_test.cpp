@@ -108,6 +108,19 @@ TEST_F(TileRangesTest, ThatAreLostAreHandedOutAgainUntilItIsTheJobsDoing) {
   EXPECT_TRUE(ranges.hopeless());
 }
 
+TEST_F(TileRangesTest, ThatAreWithdrawnAreHandedOutAgainAndCountForNothing) {
+  TileRanges ranges(*job_, attempts_, 9);
+  const std::size_t all = ranges.waiting();
+  for (std::uint32_t i = 0; i < 3 * max_losses; ++i) {
+    const RangeOrder order = ranges.hand_out().value();
+    EXPECT_EQ(ranges.waiting(), all - 1);
+    ranges.withdraw(order.attempt);
+    EXPECT_EQ(ranges.take(rendered(order)), Verdict::late);
+  }
+  EXPECT_FALSE(ranges.hopeless());
+  EXPECT_EQ(ranges.waiting(), all);
+}
+
 TEST_F(TileRangesTest, ALossOfOneOfTwoLeavesTheOther) {
   TileRanges ranges(*job_, attempts_, 9);
   const RangeOrder one = ranges.hand_out().value();
@@ -126,9 +139,9 @@ TEST_F(TileRangesTest, OfACancelledJobAreDropped) {
 }
 
 TEST(RangeDigest, IsOfTheBytesThatItsDefinitionNames) {
-  // By Python: sha256(pack('<6Q', 7, 3, 0, 1, 10, 3) + b'xyz').
-  EXPECT_EQ(to_hex(digest_of({7, 3, {0, 1}}, {{10, "xyz"}})),
-            "4b5728d6eed0845775b950187ff02c5a193c0cd16ac37b7beea5679d4b214235");
+  // By Python: sha256(pack('<6Q', 7, 3, 0, 1, 10, 3) + b'xyz' + pack('<Q', 2) + b'fa').
+  EXPECT_EQ(to_hex(digest_of({7, 3, {0, 1}}, {{10, "xyz", "fa"}})),
+            "e9b826929e552237aa41bc7b3edf86d3919c57dc8d0cbf3b793b781694d2499c");
 }
 
 }  // namespace metamer::service::test

@@ -168,7 +168,7 @@ TEST(TakingOver, EachOptionEitherChangesOrNeedsARestart) {
     for (const OptionValue& value :
          {OptionValue(true), OptionValue(std::int64_t{7}), OptionValue("7MiB"),
           OptionValue("127.0.0.1:7"), OptionValue("reference"), OptionValue("debug"),
-          OptionValue("json"), OptionValue("0660"),
+          OptionValue("json"), OptionValue("slurm"), OptionValue("avx2"), OptionValue("0660"),
           OptionValue(std::vector<std::string>{"127.0.0.1:7"})})
       if (service::set(option, fresh, value) && toml_text(option, fresh) != before) break;
     const TakenOver taken = take_over(settings, fresh);

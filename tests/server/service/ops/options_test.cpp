@@ -36,7 +36,7 @@ std::string other_value(const Option& option) {
   for (const OptionValue& value :
        {OptionValue(true), OptionValue(std::int64_t{7}), OptionValue(7.25), OptionValue("7MiB"),
         OptionValue("127.0.0.1:7"), OptionValue("reference"), OptionValue("debug"),
-        OptionValue("json"), OptionValue("0660"),
+        OptionValue("json"), OptionValue("slurm"), OptionValue("avx2"), OptionValue("0660"),
         OptionValue(std::vector<std::string>{"127.0.0.1:7", "unix:/a \"b\\"})}) {
     const auto before = toml_text(option, settings);
     if (service::set(option, settings, value) && toml_text(option, settings) != before)
