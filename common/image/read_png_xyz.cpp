@@ -56,7 +56,7 @@ Result<XyzPicture> by_chunks(const PngPicture& png) {
 
 }  // namespace
 
-Result<XyzPicture> read_png_xyz(const PictureSource& source) {
+Result<XyzPicture> read_png_xyz(const PictureSource& source, PngAlpha use) {
   Result<PngPicture> png = read_png(source);
   if (!png) return tl::unexpected<Problem>(png.error());
   std::vector<float> alpha;
@@ -65,6 +65,10 @@ Result<XyzPicture> read_png_xyz(const PictureSource& source) {
                                    ? by_profile(png->image, png->icc_profile)
                                    : by_chunks(*png);
   if (!picture || alpha.empty()) return picture;
+  if (use == PngAlpha::aside) {
+    picture->notes.emplace_back("its alpha counts where `alpha` names the file");
+    return picture;
+  }
   // Colours of a PNG are not multiplied by alpha, those of an EXR are: over black they agree.
   for (std::size_t i = 0; i < picture->image.pixels.size(); ++i)
     picture->image.pixels[i] *= alpha[i / 3];

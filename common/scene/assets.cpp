@@ -35,12 +35,8 @@ class Collector {
         is_picture_of_spectra(spectrum.file()) ? max_spectral_picture : max_spectrum_file);
   }
 
-  void add_texture(const v1::Texture& texture, const std::string& field) {
-    add(texture.file(), field + ".file", limits::max_asset);
-  }
-
-  void add_environment(const v1::Light::Environment& environment, const std::string& field) {
-    add(environment.file(), field + ".file", limits::max_asset);
+  void add_picture(const std::string& file, const std::string& field) {
+    add(file, field + ".file", limits::max_asset);
   }
 
   void add_mesh(const v1::Mesh& mesh, const std::string& field) {
@@ -129,12 +125,17 @@ tl::expected<std::vector<Asset>, std::vector<Problem>> collect_assets(
   for_each_bispectral_file(scene, [&](const std::string& file, const std::string& field) {
     collector.add_table(file, field);
   });
-  for (int i = 0; i < scene.material_size(); ++i)
-    collector.add_texture(scene.material(i).texture(),
-                          indexed("material", static_cast<std::size_t>(i)) + ".texture");
+  for (int i = 0; i < scene.material_size(); ++i) {
+    const v1::Material& material = scene.material(i);
+    const std::string field = indexed("material", static_cast<std::size_t>(i));
+    collector.add_picture(material.texture().file(), field + ".texture");
+    collector.add_picture(material.normal_map().file(), field + ".normal_map");
+    collector.add_picture(material.bump_map().file(), field + ".bump_map");
+    collector.add_picture(material.alpha().file(), field + ".alpha");
+  }
   for (int i = 0; i < scene.light_size(); ++i)
-    collector.add_environment(scene.light(i).environment(),
-                              indexed("light", static_cast<std::size_t>(i)) + ".environment");
+    collector.add_picture(scene.light(i).environment().file(),
+                          indexed("light", static_cast<std::size_t>(i)) + ".environment");
   for (int i = 0; i < scene.object_size(); ++i) {
     if (!scene.object(i).has_mesh()) continue;
     collector.add_mesh(scene.object(i).mesh(),

@@ -21,6 +21,14 @@ void check_material(const v1::Material& material, const std::string& field, Find
   check_range(material.mirror(), 0, 1, field + ".mirror", findings);
   check_reflection(material, field, findings);
   if (material.has_texture()) check_texture(material.texture(), field + ".texture", findings);
+  if (material.has_normal_map())
+    check_map(material.normal_map(), MapUse::normals, field + ".normal_map", findings);
+  if (material.has_bump_map())
+    check_map(material.bump_map(), MapUse::heights, field + ".bump_map", findings);
+  if (material.has_alpha()) check_map(material.alpha(), MapUse::alpha, field + ".alpha", findings);
+  if (material.has_alpha() && material.has_transmission())
+    findings.add(field + ".alpha",
+                 "what lets light through encloses a volume: its surface has no holes");
   if (material.texture().use() == v1::Texture::RGB && material.has_diffuse())
     findings.add(field + ".diffuse", "an RGB texture leaves nothing of `diffuse` to be seen");
   if (material.texture().use() == v1::Texture::RGB && material.has_fluorescence())

@@ -6,6 +6,24 @@
 namespace metamer {
 namespace {
 
+/// What a texture and a map have in common: a picture, and where it lies. False: there is none.
+template <class Picture>
+bool check_picture(const Picture& picture, const std::string& name, const std::string& field,
+                   Findings& findings) {
+  if (picture.has_scale() && picture.scale().u() == 0)
+    findings.add(field + ".scale.u", "u must not be 0");
+  if (picture.has_scale() && picture.scale().v() == 0)
+    findings.add(field + ".scale.v", "v must not be 0");
+  if (picture.file().empty()) {
+    findings.add(field, name + " needs a file");
+    return false;
+  }
+  if (has_extension(picture.file(), ".png") || has_extension(picture.file(), ".exr")) return true;
+  findings.add(field + ".file",
+               "file must end in .png or .exr (it is " + quoted(picture.file()) + ")");
+  return false;
+}
+
 void check_colors(const v1::Texture& texture, const std::string& field, Findings& findings) {
   if (texture.spectrum_size() > 0)
     findings.add(field + ".spectrum", "an RGB has colours and no spectra (there are " +
@@ -17,17 +35,8 @@ void check_colors(const v1::Texture& texture, const std::string& field, Findings
 }  // namespace
 
 void check_texture(const v1::Texture& texture, const std::string& field, Findings& findings) {
-  if (texture.has_scale() && texture.scale().u() == 0)
-    findings.add(field + ".scale.u", "u must not be 0");
-  if (texture.has_scale() && texture.scale().v() == 0)
-    findings.add(field + ".scale.v", "v must not be 0");
-  const bool png = has_extension(texture.file(), ".png");
-  if (texture.file().empty())
-    findings.add(field, "texture needs a file");
-  else if (!png && !has_extension(texture.file(), ".exr"))
-    findings.add(field + ".file",
-                 "file must end in .png or .exr (it is " + quoted(texture.file()) + ")");
-  else if (!png && texture.use() != v1::Texture::BLEND)
+  if (check_picture(texture, "texture", field, findings) &&
+      !has_extension(texture.file(), ".png") && texture.use() != v1::Texture::BLEND)
     findings.add(field + ".file",
                  "of an INDEX and an RGB it must be a .png (it is " + quoted(texture.file()) + ")");
 
@@ -48,6 +57,20 @@ void check_texture(const v1::Texture& texture, const std::string& field, Finding
                  (index ? "an INDEX needs 1 channel"
                         : "there must be a channel for each spectrum, " + std::to_string(spectra)) +
                      " (there are " + std::to_string(texture.channel_size()) + ")");
+}
+
+void check_map(const v1::Map& map, MapUse use, const std::string& field, Findings& findings) {
+  check_picture(map, use == MapUse::alpha ? "alpha" : "map", field, findings);
+  if (use == MapUse::normals && !map.channel().empty())
+    findings.add(field + ".channel", "a normal map has its own channels, R, G and B");
+  if (use == MapUse::alpha && map.has_strength())
+    findings.add(field + ".strength", "an alpha has none: `cutoff` makes it hard");
+  if (use != MapUse::alpha && map.has_cutoff())
+    findings.add(field + ".cutoff", "only an alpha has one");
+  if (map.has_strength())
+    check_range(map.strength(), -limits::max_map_strength, limits::max_map_strength,
+                field + ".strength", findings);
+  if (map.has_cutoff()) check_range(map.cutoff(), 0, 1, field + ".cutoff", findings);
 }
 
 }  // namespace metamer

@@ -22,6 +22,8 @@ enum class Feature : std::uint8_t {
   transmission,      ///< Light that is refracted, and absorbed on its way.
   lens,              ///< Cameras that are no pinholes.
   inter_reflection,  ///< Diffuse light that surfaces reflect to each other.
+  normal_maps,       ///< Normals that pictures turn: normal and bump maps.
+  alpha,             ///< Surfaces with holes, or that are there by a share.
 };
 
 /// Feature by feature, in the order of the enumeration: its name, as on the wire.
@@ -38,7 +40,7 @@ class Features {
   }
   static constexpr Features all() {
     Features set{};
-    set.bits_ = bit(Feature::inter_reflection) * 2 - 1;
+    set.bits_ = bit(Feature::alpha) * 2 - 1;
     return set;
   }
 

@@ -33,6 +33,7 @@ inline constexpr std::size_t max_materials = 4096;  ///< × 2 spectra × 4,001 �
 inline constexpr int max_texture_spectra = 32;      ///< A press has 8 inks, a palette a few more.
 /// Pixels × spectra of a texture's picture: 128 MiB, and a third more with its smaller copies.
 inline constexpr std::uint64_t max_texture_weights = 64u << 20;
+inline constexpr double max_map_strength = 1e6;  ///< Metres, or upright normals turned flat.
 /// Emissions × fluorescences; each is a spectrum that every thread of a reference has in f64.
 inline constexpr std::size_t max_reradiated = 1024;
 inline constexpr std::size_t max_objects = 100'000;

@@ -18,6 +18,8 @@ void check_fluorescence(const v1::Fluorescence& fluorescence, const std::string&
                         Findings& findings);
 void check_fresnel(const v1::Fresnel& fresnel, const std::string& field, Findings& findings);
 void check_texture(const v1::Texture& texture, const std::string& field, Findings& findings);
+enum class MapUse : unsigned char { normals, heights, alpha };
+void check_map(const v1::Map& map, MapUse use, const std::string& field, Findings& findings);
 void check_transmission(const v1::Material& material, const std::string& field, Findings& findings);
 void check_object(const v1::Object& object, const std::string& field, Findings& findings);
 void check_transforms(const v1::Object& object, const std::string& field, Findings& findings);

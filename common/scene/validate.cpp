@@ -95,6 +95,8 @@ void check_shining(const v1::Scene& scene, PartNames& objects, Findings& finding
       findings.add(field, "a plane has no end: it can't shine");
     else if (material != nullptr && material->has_transmission())
       findings.add(field, "its material is clear: what lets light through can't shine");
+    else if (material != nullptr && material->has_alpha())
+      findings.add(field, "its material has alpha: what is not all there can't shine");
     else if (!is_new)
       findings.add(field, "it shines already, by " +
                               indexed("light", static_cast<std::size_t>(first->second)));

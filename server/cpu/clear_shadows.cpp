@@ -45,6 +45,8 @@ class Way {
 void light_through(const Media& media, const EmbreeScene& geometry, const Vec8& to_light,
                    Float8 reach, Packet& packet, Workspace& workspace) {
   Way way(media, packet, workspace);
+  Packet at;
+  at.direction = to_light;
   MediaStacks inside = *packet.inside;
   Vec8 origin = packet.point, from = packet.hit;
   Int8 left = packet.active, lit{};
@@ -56,16 +58,19 @@ void light_through(const Media& media, const EmbreeScene& geometry, const Vec8& 
       way.absorb(i, inside[i].top(), reach[i]);
       lit[i] = -1;
     }
-    left = hits.hit;
+    at.hit = origin + to_light * hits.distance;
+    at.active = hits.hit;
+    left = media.passable(at, hits);
     for (unsigned i = 0; i < lane_count; ++i)
-      if (left[i] && (!media.is_clear(hits.object[i]) || !media.has_clear_shadow(hits.object[i])))
+      if (left[i] && media.is_clear(hits.object[i]) && !media.has_clear_shadow(hits.object[i]))
         left[i] = 0;
     if (!any(left)) break;
 
     // Go through what was met.
-    const Vec8 hit = origin + to_light * hits.distance;
-    const Media::Crossing crossing = media.cross(hit, hits, left, inside);
+    const Vec8 hit = at.hit;
+    const Media::Crossing crossing = media.cross(at, hits, left, inside);
     left = crossing.passed & ~crossing.lost;
+    packet.throughput *= 1.0f - crossing.layer;
     for (unsigned i = 0; i < lane_count; ++i) {
       if (!left[i]) continue;
       const float cosine = lane_of(to_light, i).dot(lane_of(hits.normal, i));

@@ -16,4 +16,10 @@ struct SurfaceUv {
   float density;  ///< Of UVs: the root of their area over that of the surface, 1/length.
 };
 
+/// How a surface lies along its UVs.
+struct SurfaceAxes {
+  std::array<float, 3> u, v;  ///< Of a unit of each, in the world; 0: they have no direction there.
+  bool mirrored;              ///< Its map has turned what Embree takes for its front to the back.
+};
+
 }  // namespace metamer::cpu

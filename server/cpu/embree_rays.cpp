@@ -77,7 +77,7 @@ Hits EmbreeScene::intersect(const Vec8& origin, const Vec8& direction, Int8 acti
   store(valid, sound);
   RTCIntersectContext context = coherent_context();
   rtcIntersect8(valid, scene_.get(), &context, &rays);
-  return read(rays, origin, direction, sound);
+  return read(rays, origin, direction, sound, nullptr);
 }
 
 Hits EmbreeScene::intersect_others(const Vec8& origin, const Vec8& direction, Float8 length,
@@ -95,12 +95,12 @@ Hits EmbreeScene::intersect_others(const Vec8& origin, const Vec8& direction, Fl
   PassingContext context{coherent_context(), &passed};
   context.embree.filter = leave_out_passed;
   rtcIntersect8(valid, scene_.get(), &context.embree, &rays);
-  return read(rays, origin, direction, sound);
+  return read(rays, origin, direction, sound, &passed);
 }
 
 /// What was hit.
 Hits EmbreeScene::read(const RTCRayHit8& rays, const Vec8& origin, const Vec8& direction,
-                       Int8 sound) const {
+                       Int8 sound, const Passed* passed) const {
   Hits hits;
   hits.hit = sound & (load(rays.hit.geomID) != static_cast<int>(RTC_INVALID_GEOMETRY_ID));
   hits.distance = load(rays.ray.tfar);
@@ -111,7 +111,7 @@ Hits EmbreeScene::read(const RTCRayHit8& rays, const Vec8& origin, const Vec8& d
   // Embree leaves what it did not hit as it was: anything.
   hits.u = select(hits.hit, load(rays.hit.u), Float8{});
   hits.v = select(hits.hit, load(rays.hit.v), Float8{});
-  if (!planes_.empty()) planes_.intersect(origin, direction, sound, hits);
+  if (!planes_.empty()) planes_.intersect(origin, direction, sound, passed, hits);
   // Turn the normals to the side that the ray came from.
   hits.geometric_normal = shared::unit(hits.geometric_normal);
   hits.normal = shared::unit(hits.normal);
@@ -121,6 +121,7 @@ Hits EmbreeScene::read(const RTCRayHit8& rays, const Vec8& origin, const Vec8& d
       select(from_behind, hits.geometric_normal * broadcast(-1), hits.geometric_normal);
   const Int8 opposed = dot(hits.normal, hits.geometric_normal) < 0.0f;
   hits.normal = select(opposed, hits.normal * broadcast(-1), hits.normal);
+  hits.inverted = opposed;
   if (tangents_) shading_tangents(hits);
   return hits;
 }

@@ -111,7 +111,7 @@ std::optional<EmbreeScene> EmbreeScene::build(const RenderScene& scene,
                                                  : "tessellation_cache_size=0"));
   const RTCDevice device = result.device_.get();
   // Then it is looked with every hit whether it counts.
-  result.passed_ = !scene.media.empty();
+  result.passed_ = !scene.media.empty() || scene.has_alpha();
   const auto new_scene = [&] {
     RTCScene handle = result.empty_scene();
     rtcSetSceneProgressMonitorFunction(handle, keep_building,
@@ -161,7 +161,11 @@ std::optional<EmbreeScene> EmbreeScene::build(const RenderScene& scene,
     Placed& placed = result.placed_.back();
     for (std::size_t axis = 0; axis < 3; ++axis)
       placed.center[axis] = centers[object.mesh][static_cast<Eigen::Index>(axis)];
-    if (uses[object.mesh] < 2)
+    const bool is_shared = uses[object.mesh] >= 2;
+    // Normals, and an instance's triangles, are mapped; a flat triangle is seen by its corners.
+    placed.mirrored =
+        !is_shared && placed.mesh->normals.empty() && object.to_world.linear().determinant() < 0;
+    if (!is_shared)
       result.add_placed(centered, *placed.mesh);
     else
       result.add_instance(centered, result.shared_scenes_[object.mesh].get());

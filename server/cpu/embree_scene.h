@@ -27,6 +27,7 @@ struct Hits {
   Int8 primitive{};       ///< The triangle of that object.
   Float8 u{}, v{};        ///< Barycentric, of its second and third corner.
   Int8 interpolated{};    ///< Mask: the object's shading is not PHONG.
+  Int8 inverted{};        ///< Mask: `normal` is opposite to the surface's own.
   Int8 behind{};          ///< Mask: the ray met the back of the surface, by Embree's normal.
 };
 
@@ -65,7 +66,7 @@ class EmbreeScene {
   Hits intersect(const Vec8& origin, const Vec8& direction, Int8 active) const;
 
   /// The same of the segments origin + t direction, 0 < t < length, but for what they have passed;
-  /// in scenes with media.
+  /// in scenes with media or alpha.
   Hits intersect_others(const Vec8& origin, const Vec8& direction, Float8 length, Int8 active,
                         const Passed& passed) const;
 
@@ -82,6 +83,8 @@ class EmbreeScene {
   /// coordinates in the triangle.
   SurfaceUv surface_uv(int object, int primitive, float u, float v,
                        const std::array<float, 3>& at) const;
+  /// At the same point: by its triangle, or by the sphere's or plane's own UVs.
+  SurfaceAxes surface_axes(int object, int primitive, const std::array<float, 3>& at) const;
   /// Whether its triangles are turned as in its mesh's own space, whatever its map does.
   bool is_instance(int object) const { return placed_[static_cast<std::size_t>(object)].instance; }
 
@@ -109,12 +112,14 @@ class EmbreeScene {
     std::array<std::array<float, 4>, 3> from_world{};  ///< Rows; of a sphere or plane.
     float uv_density = 0;                              ///< SurfaceUv's; of a sphere or plane.
     bool plane = false;
+    bool mirrored = false;  ///< SurfaceAxes'.
     bool instance = false;
     std::array<std::array<float, 3>, 3> to_world_normals{};  ///< Rows; for an instance.
   };
 
   EmbreeScene() = default;
-  Hits read(const RTCRayHit8& rays, const Vec8& origin, const Vec8& direction, Int8 sound) const;
+  Hits read(const RTCRayHit8& rays, const Vec8& origin, const Vec8& direction, Int8 sound,
+            const Passed* passed) const;
   void add_placed(const RenderObject& object, const TriangleMesh& mesh);
   void add_sphere(const RenderObject& object);
   void add_instance(const RenderObject& object, RTCScene shared);

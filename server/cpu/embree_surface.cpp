@@ -21,6 +21,20 @@ std::array<float, 3> mapped(const std::array<std::array<float, 4>, 3>& map,
   return to;
 }
 
+/// A triangle in the world and on a picture.
+struct UvTriangle {
+  std::array<Eigen::Vector2f, 3> uv;
+  std::array<Eigen::Vector3f, 3> place;
+};
+UvTriangle uv_triangle(const TriangleMesh& mesh, std::size_t primitive, const Corners& where) {
+  UvTriangle to;
+  for (std::size_t i = 0; i < 3; ++i) {
+    to.uv[i] = Eigen::Vector2f(mesh.uvs[mesh.triangles[primitive][i]].data());
+    to.place[i] = Eigen::Vector3f(where.position[i].data());
+  }
+  return to;
+}
+
 }  // namespace
 
 void EmbreeScene::shading_normal(const RTCRayHit8& rays, int lane, Hits& hits) const {
@@ -135,19 +149,43 @@ SurfaceUv EmbreeScene::surface_uv(int object, int primitive, float u, float v,
             0.5f + std::asin(std::clamp(p.y(), -1.0f, 1.0f)) / pi, placed.uv_density};
   }
 
-  const Triangle& corner = placed.mesh->triangles[static_cast<std::size_t>(primitive)];
-  const Corners where = corners(object, primitive);
-  std::array<Eigen::Vector2f, 3> uv;
-  std::array<Eigen::Vector3f, 3> place;
-  for (std::size_t i = 0; i < 3; ++i) {
-    uv[i] = Eigen::Vector2f(placed.mesh->uvs[corner[i]].data());
-    place[i] = Eigen::Vector3f(where.position[i].data());
-  }
+  const auto [uv, place] =
+      uv_triangle(*placed.mesh, static_cast<std::size_t>(primitive), corners(object, primitive));
   const Eigen::Vector2f here = (1 - u - v) * uv[0] + u * uv[1] + v * uv[2], ab = uv[1] - uv[0],
                         ac = uv[2] - uv[0];
   const float covered = std::abs(ab.x() * ac.y() - ab.y() * ac.x()),
               area = (place[1] - place[0]).cross(place[2] - place[0]).norm();
   return {here.x(), here.y(), area > 0 ? std::sqrt(covered / area) : 0};
+}
+
+SurfaceAxes EmbreeScene::surface_axes(int object, int primitive,
+                                      const std::array<float, 3>& at) const {
+  const Placed& placed = placed_[static_cast<std::size_t>(object)];
+  const auto along = [&](const Float3& u, const Float3& v) {
+    return SurfaceAxes{mapped(placed.to_world, u, 0), mapped(placed.to_world, v, 0),
+                       placed.mirrored};
+  };
+  if (placed.plane) return along({1, 0, 0}, {0, 0, -1});
+  if (placed.mesh == nullptr) {
+    // d/du and d/dv of (cos φ sin θ, sin φ, cos φ cos θ), θ = 2π (u − ½), φ = π (v − ½).
+    const Eigen::Vector3f p = Eigen::Vector3f(mapped(placed.from_world, at, 1).data()).normalized();
+    const float ring = std::hypot(p.x(), p.z());  // cos φ; at the poles nothing has a direction
+    if (!(ring > 1e-6f)) return {{}, {}, false};
+    constexpr float pi = std::numbers::pi_v<float>;
+    return along({2 * pi * p.z(), 0, -2 * pi * p.x()},
+                 {-pi * p.y() * p.x() / ring, pi * ring, -pi * p.y() * p.z() / ring});
+  }
+
+  // P(u, v) over a triangle is linear.
+  const auto [uv, place] =
+      uv_triangle(*placed.mesh, static_cast<std::size_t>(primitive), corners(object, primitive));
+  const Eigen::Vector2f ab = uv[1] - uv[0], ac = uv[2] - uv[0];
+  const Eigen::Vector3f to_b = place[1] - place[0], to_c = place[2] - place[0];
+  const float area = ab.x() * ac.y() - ab.y() * ac.x();
+  if (!(std::abs(area) > 1e-6f * ab.norm() * ac.norm())) return {{}, {}, false};
+  const Eigen::Vector3f u = (to_b * ac.y() - to_c * ab.y()) / area,
+                        v = (to_c * ab.x() - to_b * ac.x()) / area;
+  return {{u.x(), u.y(), u.z()}, {v.x(), v.y(), v.z()}, placed.mirrored};
 }
 
 }  // namespace metamer::cpu

@@ -1,5 +1,9 @@
 #include "server/cpu/look.h"
 
+#include <limits>
+
+#include "server/cpu/cutouts.h"
+#include "server/cpu/normal_maps.h"
 #include "server/cpu/shared_source.h"
 #include "server/cpu/soft/soft_lights.h"
 #include "server/cpu/tracer.h"
@@ -39,6 +43,27 @@ std::vector<double> light_on(const RenderScene& scene, const EmbreeScene& geomet
   return weights;
 }
 
+/// What the first lane meets, holes left aside, with its turned normal; packet.hit is its place.
+Hits first_seen(const RenderScene& scene, const EmbreeScene& geometry, float footprint,
+                Packet& packet) {
+  const Cutouts cutouts(scene, geometry, footprint);
+  const NormalMaps normal_maps(scene, geometry, footprint);
+  packet.active = first_lane_alone();
+  Hits hits = geometry.intersect(packet.origin, packet.direction, packet.active);
+  Passed passed;
+  for (std::size_t holes = 0; hits.hit[0]; ++holes) {
+    packet.hit = packet.origin + packet.direction * hits.distance;
+    packet.travelled = hits.distance;
+    if (!cutouts.is_needed() || cutouts.share(packet, hits, 0) > 0 || holes == Passed::most) break;
+    passed.add(0, hits.object[0], hits.primitive[0]);
+    hits = geometry.intersect_others(packet.origin, packet.direction,
+                                     metamer::broadcast(std::numeric_limits<float>::infinity()),
+                                     packet.active, passed);
+  }
+  if (hits.hit[0] && normal_maps.is_needed()) normal_maps.turn(packet, hits);
+  return hits;
+}
+
 /// The one sample in a pixel's middle, through that of the lens, with all that it meets.
 Gather gather_middle(const RenderScene& scene, const EmbreeScene& geometry, const v1::Plan& plan,
                      std::uint32_t x, std::uint32_t y) {
@@ -61,10 +86,12 @@ std::optional<SeenPoint> look(const RenderScene& scene, const EmbreeScene& geome
   const Eigen::Vector3d towards = camera.forward +
                                   camera.right * (pixel * (x + 0.5 - plan.width() / 2.0)) -
                                   camera.up * (pixel * (y + 0.5 - plan.height() / 2.0));
-  const Vec8 origin = to_lanes(camera.eye), direction = to_lanes(towards.normalized());
-  const Hits hits = geometry.intersect(origin, direction, first_lane_alone());
+  Packet packet;
+  packet.origin = to_lanes(camera.eye);
+  packet.direction = to_lanes(towards.normalized());
+  const Hits hits = first_seen(scene, geometry, static_cast<float>(pixel), packet);
   if (!hits.hit[0]) return std::nullopt;
-  const Vec8 hit = origin + direction * hits.distance;
+  const Vec8& hit = packet.hit;
   return SeenPoint{.object = static_cast<std::uint32_t>(hits.object[0]),
                    .place = first_lane(hit),
                    .normal = first_lane(hits.normal).normalized(),

@@ -34,6 +34,7 @@ void copy_surface(Hits& to, const Hits& from, unsigned lane) {
   to.v[lane] = from.v[lane];
   to.interpolated[lane] = from.interpolated[lane];
   to.behind[lane] = from.behind[lane];
+  to.inverted[lane] = from.inverted[lane];
   copy_lane(to.geometric_normal, from.geometric_normal, lane);
   copy_lane(to.normal, from.normal, lane);
   copy_lane(to.tangent, from.tangent, lane);
@@ -41,8 +42,10 @@ void copy_surface(Hits& to, const Hits& from, unsigned lane) {
 
 }  // namespace
 
-Media::Media(const RenderScene& scene, const EmbreeScene& geometry)
-    : geometry_(geometry), bundles_(static_cast<std::uint32_t>(scene.windows.size())) {
+Media::Media(const RenderScene& scene, const EmbreeScene& geometry, const Cutouts& cutouts)
+    : geometry_(geometry),
+      cutouts_(cutouts),
+      bundles_(static_cast<std::uint32_t>(scene.windows.size())) {
   rank(scene);
   find_sides(scene);
   find_eye(scene);
@@ -122,12 +125,36 @@ void Media::change(int object, bool enters, unsigned lane, Crossing& crossing) c
     crossing.lost[lane] = -1;
 }
 
-Media::Crossing Media::cross(const Vec8& hit, Hits& hits, Int8 lanes,
+Int8 Media::passable(const Packet& at, const Hits& hits) const {
+  Int8 lanes{};
+  for (unsigned i = 0; i < lane_count; ++i)
+    if (at.active[i] &&
+        (is_clear(hits.object[i]) || (cutouts_.is_needed() && cutouts_.share(at, hits, i) < 1)))
+      lanes[i] = -1;
+  return lanes;
+}
+
+/// Takes what a lane has met beside the surface in `hits` into account. False: the lane ends there.
+bool Media::meet(const Packet& at, const Hits& met, unsigned lane, Hits& hits,
+                 Crossing& crossing) const {
+  const bool nothing_yet = crossing.layer[lane] == 0 && !is_clear(hits.object[lane]);
+  if (is_clear(met.object[lane])) {
+    if (nothing_yet) copy_surface(hits, met, lane);
+    return true;
+  }
+  const float share = cutouts_.is_needed() ? cutouts_.share(at, met, lane) : 1;
+  if (share == 0 || (share < 1 && crossing.layer[lane] > 0)) return true;
+  copy_surface(hits, met, lane);
+  crossing.layer[lane] = share < 1 ? share : 0;
+  return share < 1;
+}
+
+Media::Crossing Media::cross(const Packet& at, Hits& hits, Int8 lanes,
                              const MediaStacks& inside) const {
-  const Float8 lift = shared::lift_off(hit, hits.distance);
-  const Vec8 before = hit + hits.geometric_normal * lift;
+  const Float8 lift = shared::lift_off(at.hit, hits.distance);
+  const Vec8 normal = hits.geometric_normal, before = at.hit + normal * lift;
   Crossing crossing;
-  crossing.beyond = hit - hits.geometric_normal * lift;
+  crossing.beyond = at.hit - normal * lift;
   crossing.inside = inside;
   crossing.passed = lanes;
   Passed passed;
@@ -136,26 +163,29 @@ Media::Crossing Media::cross(const Vec8& hit, Hits& hits, Int8 lanes,
     passed.add(lane, met.object[lane], met.primitive[lane]);
     const std::pair<int, bool> side{met.object[lane], met.behind[lane] != 0};
     // An edge between two triangles is passed once.
-    if (std::find(sides[lane].begin(), sides[lane].end(), side) != sides[lane].end()) return;
+    if (!is_clear(side.first) ||
+        std::find(sides[lane].begin(), sides[lane].end(), side) != sides[lane].end())
+      return;
     sides[lane].push_back(side);
   };
-  for (unsigned i = 0; i < lane_count; ++i)
-    if (lanes[i]) pass(i, hits);
+  for (unsigned i = 0; i < lane_count; ++i) {
+    if (!lanes[i]) continue;
+    pass(i, hits);
+    if (!is_clear(hits.object[i])) crossing.layer[i] = cutouts_.share(at, hits, i);
+  }
 
   // Look for what lies between the two sides of the surface, where the ray goes on.
-  const Vec8 down = hits.geometric_normal * metamer::broadcast(-1);
+  const Vec8 down = normal * metamer::broadcast(-1);
   Int8 left = lanes;
   for (std::size_t n = 1; n < Passed::most && any(left); ++n) {
     const Hits met = geometry_.intersect_others(before, down, lift + lift, left, passed);
     left = met.hit;
     for (unsigned i = 0; i < lane_count; ++i) {
       if (!left[i]) continue;
-      if (is_clear(met.object[i])) {
+      if (meet(at, met, i, hits, crossing))
         pass(i, met);
-        continue;
-      }
-      copy_surface(hits, met, i);
-      left[i] = crossing.passed[i] = 0;
+      else
+        left[i] = crossing.passed[i] = 0;
     }
   }
 

@@ -5,7 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "server/cpu/cutouts.h"
 #include "server/cpu/embree_scene.h"
+#include "server/cpu/packet.h"
 #include "server/scene/render_scene.h"
 
 namespace metamer::cpu {
@@ -44,12 +46,12 @@ class MediaStack {
 };
 using MediaStacks = std::array<MediaStack, 8>;
 
-/// What rays have to know of a scene's clear objects: which medium they are in, and what lies
-/// between two. Immutable, shared by threads.
+/// What rays have to know of what they pass: which medium they are in, what lies between two, and
+/// what is not all there. Immutable, shared by threads.
 class Media {
  public:
   /// The references must outlive it. Of a scene without clear objects all is air.
-  Media(const RenderScene& scene, const EmbreeScene& geometry);
+  Media(const RenderScene& scene, const EmbreeScene& geometry, const Cutouts& cutouts);
 
   /// What the eye is in.
   const MediaStack& of_eye() const { return of_eye_; }
@@ -92,10 +94,15 @@ class Media {
     MediaStacks inside{};  ///< What the rays are in there.
     Int8 passed{};         ///< Mask of lanes that went through.
     Int8 lost{};           ///< Mask of lanes that are in too many objects.
+    Float8 layer{};        ///< Share that is there of an opaque surface among them; 0: none is.
   };
-  /// Of `lanes`, all of which have hit clear objects. Where an opaque surface touches these it is
-  /// what was hit, and takes the place in `hits`: there is no air between.
-  Crossing cross(const Vec8& hit, Hits& hits, Int8 lanes, const MediaStacks& inside) const;
+  /// Lanes of `at.active` whose surfaces can be passed at at.hit: clear objects, and what is not
+  /// all there.
+  Int8 passable(const Packet& at, const Hits& hits) const;
+  /// Of such `lanes`. Where an opaque surface touches these it is what was hit, and takes the place
+  /// in `hits`: there is no air between. One that is there by a share, the first of them, takes it
+  /// too and is passed; a hole leaves it to others.
+  Crossing cross(const Packet& at, Hits& hits, Int8 lanes, const MediaStacks& inside) const;
 
  private:
   struct Medium {
@@ -105,9 +112,11 @@ class Media {
   void rank(const RenderScene& scene);
   void find_sides(const RenderScene& scene);
   void find_eye(const RenderScene& scene);
+  bool meet(const Packet& at, const Hits& met, unsigned lane, Hits& hits, Crossing& crossing) const;
   void change(int object, bool enters, unsigned lane, Crossing& crossing) const;
 
   const EmbreeScene& geometry_;
+  const Cutouts& cutouts_;
   std::vector<Medium> of_;           ///< By rank.
   std::vector<std::uint8_t> ranks_;  ///< By object; 0: opaque.
   std::vector<bool> inwards_;        ///< By object: Embree's normals point inwards.

@@ -22,10 +22,13 @@ void Planes::add(std::uint32_t number, const RenderObject& object) {
                      broadcast(static_cast<float>(normal.dot(object.to_world.translation())))});
 }
 
-void Planes::intersect(const Vec8& origin, const Vec8& direction, Int8 active, Hits& hits) const {
+void Planes::intersect(const Vec8& origin, const Vec8& direction, Int8 active, const Passed* passed,
+                       Hits& hits) const {
   for (const Plane& plane : planes_) {
     const Float8 distance = distance_to(plane.normal, plane.height, origin, direction);
-    const Int8 met = active & (distance > 0.0f) & (distance < horizon) & (distance < hits.distance);
+    Int8 met = active & (distance > 0.0f) & (distance < horizon) & (distance < hits.distance);
+    for (unsigned i = 0; passed != nullptr && i < lane_count; ++i)
+      if (passed->has(i, plane.object, 0)) met[i] = 0;
     hits.hit |= met;
     hits.distance = select(met, distance, hits.distance);
     hits.geometric_normal = select(met, plane.normal, hits.geometric_normal);

@@ -8,6 +8,7 @@
 namespace metamer::cpu {
 
 struct Hits;
+class Passed;
 
 /// Planes that go on to the horizon: met by their equation, not by a tree, so that f32 loses no
 /// strip of them however far away it is.
@@ -18,8 +19,9 @@ class Planes {
   bool empty() const { return planes_.empty(); }
 
   /// Takes the place of what rays have hit behind one, or where nothing was, before hits.distance;
-  /// its normal is not yet turned to the ray.
-  void intersect(const Vec8& origin, const Vec8& direction, Int8 active, Hits& hits) const;
+  /// its normal is not yet turned to the ray. Not of one that the rays have passed; null: none.
+  void intersect(const Vec8& origin, const Vec8& direction, Int8 active, const Passed* passed,
+                 Hits& hits) const;
   /// The lanes of `free` whose segments, 0 < t < length, no plane cuts.
   Int8 visible(const Vec8& origin, const Vec8& direction, Float8 length, Int8 free) const;
 

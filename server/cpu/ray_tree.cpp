@@ -49,21 +49,24 @@ void RayTree::follow(Branch& branch, std::vector<Branch>& stack, Workspace& work
   packet.travelled += hits.distance;
   absorb(branch, workspace);
 
-  // Go through clear surfaces, unless an opaque one touches them.
-  Int8 clear{};
-  for (int i = 0; i < lane_count; ++i)
-    if (packet.active[i] && media_.is_clear(hits.object[i])) clear[i] = -1;
+  // Go through clear surfaces and holes, unless an opaque one touches them.
   Media::Crossing crossing;
-  if (any(clear)) crossing = media_.cross(packet.hit, hits, clear, branch.inside);
+  if (const Int8 passable = media_.passable(packet, hits); any(passable))
+    crossing = media_.cross(packet, hits, passable, branch.inside);
   packet.point = packet.hit + hits.geometric_normal * shared::lift_off(packet.hit, hits.distance);
+  shading_.turn_normals(packet, hits);
 
   // Gather the light of surfaces that shine, and what they reflect by their models.
   shading_.soft().add_objects(packet, hits, packet.active & ~crossing.passed, workspace);
+  const Int8 layered = crossing.layer > 0.0f;
   Packet shaded = packet;
   shaded.active = shaded_lanes(branch, hits, crossing, crossing.passed);
+  shaded.throughput *= select(layered, crossing.layer, metamer::broadcast(1));
   shaded.inside = &branch.inside;
   if (any(shaded.active)) shading_.shade(shaded, hits, workspace);
   if (branch.bounces < diffusion_.bounces) diffuse(branch, shaded, hits, stack, workspace);
+  if (any(layered)) mirror_layers(branch, hits, shaded, layered, stack, workspace);
+  packet.throughput *= 1.0f - crossing.layer;
 
   Children children = children_of(branch);
   split(branch, hits, crossing, children, workspace);
@@ -126,15 +129,27 @@ void RayTree::absorb(Branch& branch, Workspace& workspace) const {
   }
 }
 
-/// Opaque surfaces, and clear ones from outside where the medium changes there.
+/// Mirrors of what is there by a share, beside what shows through it.
+void RayTree::mirror_layers(const Branch& branch, const Hits& hits, const Packet& shaded,
+                            Int8 layered, std::vector<Branch>& stack, Workspace& workspace) const {
+  Branch layer = branch;
+  layer.packet.throughput = shaded.throughput;
+  Children children = children_of(layer);
+  for (unsigned i = 0; i < lane_count; ++i)
+    if (layered[i]) mirror(layer, hits, i, children, workspace);
+  push(children.reflected, stack, workspace);
+}
+
+/// Opaque surfaces, what is there of others, and clear ones from outside where the medium changes.
 Int8 RayTree::shaded_lanes(const Branch& branch, const Hits& hits, const Media::Crossing& crossing,
                            Int8 clear) const {
   Int8 lanes = branch.packet.active & ~clear;
   for (unsigned i = 0; i < lane_count; ++i)
-    if (clear[i] && media_.is_front(hits.object[i], hits.behind[i] != 0) &&
+    if (clear[i] && media_.is_clear(hits.object[i]) &&
+        media_.is_front(hits.object[i], hits.behind[i] != 0) &&
         branch.inside[i].top() != crossing.inside[i].top())
       lanes[i] = -1;
-  return lanes;
+  return lanes | (clear & (crossing.layer > 0.0f));
 }
 
 /// Reflection and refraction, where clear surfaces were passed.

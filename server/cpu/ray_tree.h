@@ -12,7 +12,8 @@ struct Diffusion {
   std::uint32_t samples = 1;  ///< Ways on from the first; from others one.
 };
 
-/// Follows rays that split at clear surfaces, and where light is diffuse: a tree of paths, by a
+/// Follows rays that split at clear surfaces, at what is not all there, and where light is diffuse:
+/// a tree of paths, by a
 /// stack of packets. What is
 /// carried is radiance by n², which refraction leaves as it is: in a picture that is taken within a
 /// medium it is what an eye in air would see if nothing were reflected at the way out. Surfaces
@@ -53,6 +54,8 @@ class RayTree {
   void absorb(Branch& branch, Workspace& workspace) const;
   Int8 shaded_lanes(const Branch& branch, const Hits& hits, const Media::Crossing& crossing,
                     Int8 clear) const;
+  void mirror_layers(const Branch& branch, const Hits& hits, const Packet& shaded, Int8 layered,
+                     std::vector<Branch>& stack, Workspace& workspace) const;
   void split(const Branch& branch, const Hits& hits, const Media::Crossing& crossing,
              Children& children, Workspace& workspace) const;
   void disperse(const Branch& branch, const Hits& hits, const Media::Crossing& crossing, Int8 lanes,

@@ -51,8 +51,10 @@ Shading::Shading(const RenderScene& scene, const EmbreeScene& geometry, float fo
       geometry_(geometry),
       media_(media),
       texturing_(scene, geometry, footprint),
+      normal_maps_(scene, geometry, footprint),
       soft_(scene, geometry, light_samples),
-      needed_(needed_angles(scene)) {
+      needed_(needed_angles(scene)),
+      own_side_(normal_maps_.is_needed() || scene.has_alpha()) {
   for (const RenderLight& light : scene.lights) {
     Light& to = lights_.emplace_back();
     to.is_place = light.source == RenderLight::Source::place;
@@ -80,7 +82,8 @@ void Shading::shade(const Packet& packet, const Hits& hits, Workspace& workspace
         shared::incident(lights_[l].light, lights_[l].values, packet.hit);
     const Int8 sound = shared::is_finite(light);
     const Int8 shone = (light.weight > 0.0f) & (dot(hits.normal, light.direction) > 0.0f);
-    const Int8 facing = packet.active & sound & (shone | hits.interpolated);
+    const Int8 facing =
+        packet.active & sound & (shone | hits.interpolated) & reached(hits, light.direction);
     Int8 lit{};
     const Step step{packet, hits, places, static_cast<std::uint32_t>(l), workspace};
     if (media_ != nullptr) {
@@ -92,6 +95,12 @@ void Shading::shade(const Packet& packet, const Hits& hits, Workspace& workspace
     const Int8 wanted = lit | (ambient & sound);
     if (any(wanted)) reflect(step, lit, wanted, light.direction, light.weight);
   }
+}
+
+/// The lanes that are not in their own surface's way: where a normal is turned it may see what is
+/// below, and what is not all there would let it through.
+Int8 Shading::reached(const Hits& hits, const Vec8& direction) const {
+  return own_side_ ? Int8(dot(hits.geometric_normal, direction) > 0.0f) : Int8{} - 1;
 }
 
 /// Evaluates the models where they are asked for, and gathers their lobes.

@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "common/lights/registry.h"
+#include "server/cpu/cutouts.h"
 #include "server/cpu/embree_scene.h"
 #include "server/cpu/media.h"
+#include "server/cpu/normal_maps.h"
 #include "server/cpu/packet.h"
 #include "server/cpu/soft/soft_lights.h"
 #include "server/cpu/texturing.h"
@@ -19,11 +21,15 @@ namespace metamer::cpu {
 class Shading {
  public:
   /// `footprint` as Texturing has it. So many samples of each light that is no place or direction.
-  /// `media`: of a scene with clear objects, through which lights shine; else null. The references
-  /// must outlive it.
+  /// `media`: of a scene with surfaces through which lights shine; else null. The references must
+  /// outlive it.
   Shading(const RenderScene& scene, const EmbreeScene& geometry, float footprint,
           std::uint32_t light_samples, const Media* media = nullptr);
 
+  /// Turns the normals of what a packet has hit at packet.hit, where the scene has maps of them.
+  void turn_normals(const Packet& packet, Hits& hits) const {
+    if (normal_maps_.is_needed()) normal_maps_.turn(packet, hits);
+  }
   void shade(const Packet& packet, const Hits& hits, Workspace& workspace) const;
   /// The rays to where the diffuse light of the active lanes comes from that is no light's own: the
   /// `way`-th of `ways` that share it. They are chosen by the cosine of their angle to the normal,
@@ -65,6 +71,7 @@ class Shading {
   void shade_by_sky(const Packet& packet, const Hits& hits, const Places& places, Int8 ambient,
                     Workspace& workspace) const;
   std::uint32_t light_samples(const Packet& packet) const;
+  Int8 reached(const Hits& hits, const Vec8& direction) const;
   Int8 lit_by(const Step& step, const Vec8& direction, Float8 reach, Int8 lanes) const;
   Places find_places(const Packet& packet, const Hits& hits, Workspace& workspace) const;
   Int8 ambient_lanes(const Hits& hits, Int8 active) const;
@@ -90,9 +97,11 @@ class Shading {
   const Media* media_;
   std::vector<Light> lights_;
   Texturing texturing_;
+  NormalMaps normal_maps_;
   soft::SoftLights soft_;
   NeededAngles needed_;
   bool has_ambient_ = false, has_factors_ = false, has_rough_ = false;
+  bool own_side_;  ///< A surface does not always shade itself from what is below it.
 };
 
 }  // namespace metamer::cpu

@@ -1,7 +1,8 @@
 #include "server/cpu/texturing.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "server/cpu/picture_spot.h"
 
 namespace metamer::cpu {
 
@@ -41,22 +42,12 @@ std::optional<std::uint32_t> Texturing::choose(const Packet& packet, const Hits&
 
 Texturing::Weights Texturing::weights(const RenderTexture& texture, const Packet& packet,
                                       const Hits& hits, unsigned lane) const {
-  const SurfaceUv at =
-      geometry_.surface_uv(hits.object[lane], hits.primitive[lane], hits.u[lane], hits.v[lane],
-                           {packet.hit.x[lane], packet.hit.y[lane], packet.hit.z[lane]});
-  const auto& [row_u, row_v] = texture.map;
-  const float u = row_u[0] * at.u + row_u[1] * at.v + row_u[2],
-              v = row_v[0] * at.u + row_v[1] * at.v + row_v[2];
-
-  // A sample covers a longer piece of a surface that it sees at a slant: the mean of both sides.
-  constexpr float flattest = 1e-3f;
-  const float cosine = std::abs(hits.geometric_normal.x[lane] * packet.direction.x[lane] +
-                                hits.geometric_normal.y[lane] * packet.direction.y[lane] +
-                                hits.geometric_normal.z[lane] * packet.direction.z[lane]);
-  const float pixels = footprint_ * packet.travelled[lane] * at.density * texture.pixels_per_uv /
-                       std::sqrt(std::max(cosine, flattest));
+  const PictureSpot at = picture_spot(geometry_, packet, hits, lane, footprint_);
+  const PlacedPicture& placed = texture.placed;
+  const auto [u, v] = placed.at(at.u, at.v);
   Weights weights{};
-  add_weights(texture.picture, texture.wrap, u, v, std::log2(pixels), weights.data());
+  add_weights(placed.picture, placed.wrap, u, v, placed.level(at.covered, at.slant),
+              weights.data());
   return weights;
 }
 

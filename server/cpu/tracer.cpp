@@ -21,9 +21,15 @@ std::pair<std::uint32_t, std::uint32_t> block_size(std::size_t spp) {
 
 /// Of what rays split in.
 std::optional<Media> make_media(const RenderScene& scene, const EmbreeScene& geometry,
-                                const Diffusion& diffusion) {
-  if (scene.interfaces.empty() && diffusion.bounces == 0) return {};
-  return Media(scene, geometry);
+                                const Cutouts& cutouts, const Diffusion& diffusion) {
+  if (scene.interfaces.empty() && !cutouts.is_needed() && diffusion.bounces == 0) return {};
+  return Media(scene, geometry, cutouts);
+}
+
+/// The side of a sample's square, seen from a distance of 1.
+float footprint_of(const RenderScene& scene, const Tracer::Frame& frame) {
+  return static_cast<float>(2 * scene.camera.tan_half_fov /
+                            (frame.height * std::sqrt(static_cast<double>(frame.samples.size()))));
 }
 
 }  // namespace
@@ -46,12 +52,10 @@ Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const v1::
 Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const Frame& frame)
     : scene_(scene),
       geometry_(geometry),
-      media_(make_media(scene, geometry, frame.diffusion)),
-      shading_(
-          scene, geometry,
-          static_cast<float>(2 * scene.camera.tan_half_fov /
-                             (frame.height * std::sqrt(static_cast<double>(frame.samples.size())))),
-          std::max(1U, frame.light_samples), scene.interfaces.empty() ? nullptr : &*media_),
+      cutouts_(scene, geometry, footprint_of(scene, frame)),
+      media_(make_media(scene, geometry, cutouts_, frame.diffusion)),
+      shading_(scene, geometry, footprint_of(scene, frame), std::max(1U, frame.light_samples),
+               scene.interfaces.empty() && !cutouts_.is_needed() ? nullptr : &*media_),
       depth_(frame.depth),
       width_(frame.width),
       height_(frame.height),
@@ -150,6 +154,7 @@ void Tracer::trace(Packet& packet, Workspace& workspace) const {
     packet.hit = packet.origin + packet.direction * hits.distance;
     packet.point = packet.hit + hits.geometric_normal * shared::lift_off(packet.hit, hits.distance);
     packet.travelled += hits.distance;
+    shading_.turn_normals(packet, hits);
     shading_.shade(packet, hits, workspace);
     if (mirrors == depth_) return;
     reflect(packet, hits, workspace);

@@ -74,6 +74,7 @@ class Tracer {
 
   const RenderScene& scene_;
   const EmbreeScene& geometry_;
+  Cutouts cutouts_;
   std::optional<Media> media_;  ///< Where rays split.
   Shading shading_;
   std::optional<RayTree> tree_;

@@ -12,9 +12,9 @@ namespace metamer::gl {
 std::unique_ptr<Backend> make_backend(Device& device, unsigned threads);
 
 /// What they have.
-inline constexpr Features features =
-    Features::all().without({Feature::mirrors, Feature::factors, Feature::textures,
-                             Feature::area_lights, Feature::environment, Feature::planes,
-                             Feature::transmission, Feature::lens, Feature::inter_reflection});
+inline constexpr Features features = Features::all().without(
+    {Feature::mirrors, Feature::factors, Feature::textures, Feature::area_lights,
+     Feature::environment, Feature::planes, Feature::transmission, Feature::lens,
+     Feature::inter_reflection, Feature::normal_maps, Feature::alpha});
 
 }  // namespace metamer::gl

@@ -38,6 +38,10 @@ Lack lack(Feature feature, const std::string& by) {
       return {refusal, "the " + by + " has no refraction"};
     case Feature::inter_reflection:
       return {notice, "the " + by + " has no light that surfaces reflect to each other"};
+    case Feature::normal_maps:
+      return {refusal, "the " + by + " has no normal or bump maps"};
+    case Feature::alpha:
+      return {refusal, "the " + by + " shows surfaces as a whole, without alpha"};
     case Feature::fluorescence:
       return {refusal, "the " + by + " has no fluorescence"};
     case Feature::lens:
@@ -99,6 +103,11 @@ std::vector<Need> features_of(const RenderScene& scene, const v1::Settings& sett
       scene, Feature::anisotropy, "", [](const Material& m) { return m.anisotropic(); }, needs);
   need_of_materials(
       scene, Feature::textures, ".texture", [](const Material& m) { return m.texture.has_value(); },
+      needs);
+  need_of_materials(
+      scene, Feature::normal_maps, "", [](const Material& m) { return m.turns_normals(); }, needs);
+  need_of_materials(
+      scene, Feature::alpha, ".alpha", [](const Material& m) { return m.alpha.has_value(); },
       needs);
   need_of_objects(
       scene, Feature::corner_shading, "",

@@ -173,6 +173,21 @@ void need_rays(const RenderScene& scene, const std::vector<const RenderMaterial*
   else
     plan.add_need("textures, looked up at each sample: " + named(pictured));
 
+  const auto turned =
+      names_of(materials, [](const RenderMaterial& m) { return m.turns_normals(); });
+  if (turned.empty())
+    plan.add_unneeded("normal and bump maps: no material has one");
+  else
+    plan.add_need("normals by pictures, looked up at each sample: " + named(turned));
+  const auto holed =
+      names_of(materials, [](const RenderMaterial& m) { return m.alpha.has_value(); });
+  if (holed.empty())
+    plan.add_unneeded("paths through what is not all there: no material has alpha");
+  else
+    plan.add_need(print("paths through what is not all there, down to %g of a sample's weight: ",
+                        plan.cutoff()) +
+                  named(holed));
+
   std::vector<std::string> cornered;
   for (const RenderObject& object : scene.objects)
     if (object.shading != v1::PHONG && object.shape == RenderObject::Shape::mesh)

@@ -240,7 +240,8 @@ v1::Plan make_plan(const RenderScene& scene, const v1::Settings& settings,
   plan.set_spp(settings.spp());
   const std::vector<Need> needs = features_of(scene, settings);
   plan.set_depth(needed_depth(needs, settings.depth(), capabilities.features));
-  if (!scene.media.empty() && capabilities.features.has(Feature::transmission))
+  if ((!scene.media.empty() && capabilities.features.has(Feature::transmission)) ||
+      (scene.has_alpha() && capabilities.features.has(Feature::alpha)))
     plan.set_cutoff(settings.cutoff());
   if (looks_at_points(needs)) plan.set_light_samples(settings.light_samples());
   if (settings.bounces() > 0 && capabilities.features.has(Feature::inter_reflection)) {

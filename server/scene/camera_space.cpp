@@ -81,6 +81,7 @@ void CameraSpace::place(RenderScene& scene) const {
   for (RenderObject& object : scene.objects) object.to_world = map * object.to_world;
   for (RenderLight& light : scene.lights) place(light);
   for (RenderMedium& medium : scene.media) place(medium);
+  for (RenderMap& map : scene.maps) place(map);
   place(scene.camera);
 }
 

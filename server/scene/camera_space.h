@@ -18,6 +18,7 @@ struct CameraSpace {
   void place(RenderScene& scene) const;
   void place(RenderLight& light) const;
   void place(RenderMedium& medium) const { medium.thickness *= scale; }
+  void place(RenderMap& map) const { map.height *= scale; }
   Eigen::Vector3d to_world(const Eigen::Vector3d& placed) const { return placed / scale + origin; }
   void place(RenderCamera& camera) const {
     camera.eye = scale * (camera.eye - origin);

@@ -68,7 +68,10 @@ class Compiler {
     result_.inter_reflects = scene_.settings().bounces() > 0;
     for (int i = 0; i < scene_.light_size(); ++i) light(i);
     for (int i = 0; i < scene_.material_size(); ++i) material(i);
-    for (int i = 0; i < scene_.material_size() && !cancelled_; ++i) texture(i);
+    for (int i = 0; i < scene_.material_size() && !cancelled_; ++i) {
+      texture(i);
+      maps(i);
+    }
     if (to_.problems.empty()) to_.problems = add_fluorescences(scene_, to_.assets, result_);
     if (parts == Parts::all) objects();
     if (parts == Parts::all)
@@ -155,7 +158,8 @@ class Compiler {
          .specular = property(material.has_specular(), material.specular(), 1, field + ".specular"),
          .mirror = static_cast<float>(material.mirror())});
     mesh_needs_.tangents |= result_.materials.back().anisotropic();
-    mesh_needs_.uvs |= material.has_texture();
+    mesh_needs_.uvs |= material.has_texture() || material.has_normal_map() ||
+                       material.has_bump_map() || material.has_alpha();
     if (material.has_transmission()) medium(material.transmission(), field + ".transmission");
   }
 
@@ -184,7 +188,7 @@ class Compiler {
     if (!material.has_texture()) return;
     const v1::Texture& texture = material.texture();
     const std::string field = "material[" + std::to_string(index) + "].texture";
-    auto picture = textures_(texture, field);
+    auto picture = textures_(texture, PictureUse::texture, field);
     if (!picture) return to_.problems.push_back(std::move(picture.error()));
     if (result_.materials.size() + picture->channels > limits::max_materials)
       return to_.add(field + ".spectrum", "materials and spectra of textures are at most " +
@@ -192,9 +196,7 @@ class Compiler {
 
     to_.note(picture->notes, field + ".file");
     const bool rgb = texture.use() == v1::Texture::RGB;
-    const auto map = uv_map(texture);
-    const float pixels = pixels_per_uv(*picture, map);
-    RenderTexture to{*std::move(picture), texture.wrap(), map, {}, pixels, !rgb};
+    RenderTexture to{PlacedPicture(*std::move(picture), texture), {}, !rgb};
     for (int i = 0; i < texture.spectrum_size(); ++i) {
       const std::string spectrum_field = field + ".spectrum[" + std::to_string(i) + "]";
       const std::string name = material.name() + "#" + std::to_string(i + 1);
@@ -210,6 +212,33 @@ class Compiler {
     result_.materials[static_cast<std::size_t>(index)].texture =
         static_cast<std::uint32_t>(result_.textures.size());
     result_.textures.push_back(std::move(to));
+  }
+
+  void maps(int index) {
+    const v1::Material& from = scene_.material(index);
+    RenderMaterial& to = result_.materials[static_cast<std::size_t>(index)];
+    const std::string field = "material[" + std::to_string(index) + "]";
+    if (from.has_normal_map())
+      to.normal_map = map(from.normal_map(), PictureUse::normals, field + ".normal_map");
+    if (from.has_bump_map())
+      to.bump_map = map(from.bump_map(), PictureUse::heights, field + ".bump_map");
+    if (from.has_alpha()) to.alpha = map(from.alpha(), PictureUse::alpha, field + ".alpha");
+  }
+
+  std::optional<std::uint32_t> map(const v1::Map& map, PictureUse use, const std::string& field) {
+    const v1::Texture texture = picture_of(map);
+    auto picture = textures_(texture, use, field);
+    if (!picture) {
+      to_.problems.push_back(std::move(picture.error()));
+      return std::nullopt;
+    }
+    to_.note(picture->notes, field + ".file");
+    const double strength = map.has_strength() ? map.strength() : 1;
+    const double span = double{picture->span};
+    result_.maps.push_back(
+        {PlacedPicture(*std::move(picture), texture), strength, span * strength,
+         map.has_cutoff() ? std::optional(static_cast<float>(map.cutoff())) : std::nullopt});
+    return static_cast<std::uint32_t>(result_.maps.size() - 1);
   }
 
   /// A material that no object has.

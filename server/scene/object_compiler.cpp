@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "common/scene/limits.h"
 #include "server/scene/placement.h"
@@ -57,10 +58,23 @@ void ObjectCompiler::object(int index) {
       return;
   }
   check_place(to, "object[" + std::to_string(index) + "]");
-  if (to.shape == RenderObject::Shape::mesh && to_.result.materials[to.material].texture &&
+  const RenderMaterial& material = to_.result.materials[to.material];
+  if (material.turns_normals() && to.shading != v1::PHONG) {
+    if (!std::exchange(told_of_phong_, true))
+      to_.result.notices.push_back({"object[" + std::to_string(index) + "]",
+                                    "a picture turns its normals: it, and all like it, are shaded "
+                                    "by PHONG"});
+    to.shading = v1::PHONG;
+  }
+  if (to.shape == RenderObject::Shape::mesh && material.has_picture() &&
       to_.result.meshes[to.mesh].uvs.empty())
     to_.add("object[" + std::to_string(index) + "]",
-            "its mesh has no UVs, which the texture of " + quoted(object.material()) + " needs");
+            "its mesh has no UVs, which the " +
+                std::string(material.texture      ? "texture"
+                            : material.normal_map ? "normal map"
+                            : material.bump_map   ? "bump map"
+                                                  : "alpha") +
+                " of " + quoted(object.material()) + " needs");
   to_.result.objects.push_back(std::move(to));
 }
 

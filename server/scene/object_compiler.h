@@ -35,6 +35,7 @@ class ObjectCompiler {
   std::map<std::string, std::uint32_t> meshes_;  ///< By mesh_key().
   std::map<std::string, std::uint32_t> materials_;
   std::vector<Eigen::AlignedBox3d> mesh_bounds_;
+  bool told_of_phong_ = false;
 };
 
 }  // namespace metamer

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -17,6 +18,7 @@
 #include "common/spectral/fluorescence.h"
 #include "server/scene/environment/sky_picture.h"
 #include "server/scene/environment/sky_tables.h"
+#include "server/scene/map.h"
 #include "server/scene/texture.h"
 
 namespace metamer {
@@ -74,9 +76,12 @@ struct RenderMaterial {
   float mirror;  ///< Weight of the mirror reflection, coloured by the Fresnel term.
   /// Index into RenderScene::textures; its spectra and `diffuse` share the diffuse lobe.
   std::optional<std::uint32_t> texture = {};
+  std::optional<std::uint32_t> normal_map = {}, bump_map = {}, alpha = {};  ///< RenderScene::maps.
   std::uint32_t medium = 0;  ///< Of what its objects enclose, in RenderScene::media; 0: opaque.
   std::optional<std::uint32_t> fluorescence = {};  ///< Index into RenderScene::fluorescences.
 
+  bool turns_normals() const { return normal_map || bump_map; }
+  bool has_picture() const { return texture || turns_normals() || alpha; }
   bool has(models::Trait trait) const { return models::entry(reflection.model).traits & trait; }
   bool anisotropic() const;
 };
@@ -138,6 +143,7 @@ struct RenderScene {
   std::optional<RenderEnvironment> environment;
   std::vector<RenderMaterial> materials;  ///< Those of the scene, then the spectra of textures.
   std::vector<RenderTexture> textures;
+  std::vector<RenderMap> maps;  ///< Of materials: what is no colour.
   std::vector<RenderObject> objects;
   std::vector<TriangleMesh> meshes;         ///< Distinct files and quads.
   std::vector<Spectrum> emissions;          ///< Distinct spectra of the lights, relative power.
@@ -162,6 +168,12 @@ struct RenderScene {
   /// The material has a fluorescence.
   const Reradiated& reradiated_by(std::uint32_t light, std::uint32_t material) const {
     return reradiated[reradiated_index(light, *materials[material].fluorescence)];
+  }
+
+  /// Some material is not there as a whole: rays pass its surfaces.
+  bool has_alpha() const {
+    return std::any_of(materials.begin(), materials.end(),
+                       [](const RenderMaterial& material) { return material.alpha.has_value(); });
   }
 
   /// The field of the scene that a spectrum was first named in: "material[3].diffuse".

@@ -88,20 +88,21 @@ std::string objects_key(const v1::Scene& scene, const RenderScene& compiled,
   // asks.
   std::map<std::string, std::size_t> places;
   bool tangents = false, uvs = false;
-  const bool clear = !compiled.media.empty();  // then rays can pass surfaces
+  const bool passed = !compiled.media.empty() || compiled.has_alpha();  // then rays pass surfaces
   for (std::size_t i = 0; i < compiled.materials.size(); ++i) {
     places[compiled.materials[i].name] = i;
     tangents |= compiled.materials[i].anisotropic();
-    uvs |= compiled.materials[i].texture.has_value();
+    uvs |= compiled.materials[i].has_picture();
   }
   key += tangents ? '\1' : '\0';
   key += uvs ? '\1' : '\0';
-  key += clear ? '\1' : '\0';
+  key += passed ? '\1' : '\0';
   std::set<std::string> files;
   for (const v1::Object& object : scene.object()) {
     const std::size_t place = places.at(object.material());
     key += std::to_string(place) + (compiled.materials[place].anisotropic() ? 'a' : 'i') +
-           (compiled.materials[place].texture ? 't' : '-');
+           (compiled.materials[place].has_picture() ? 't' : '-') +
+           (compiled.materials[place].turns_normals() ? 'n' : '-');
     if (object.has_mesh() && files.insert(object.mesh().file()).second)
       key += mesh_file_key(object.mesh().file(), names);
   }

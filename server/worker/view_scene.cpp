@@ -152,6 +152,7 @@ tl::expected<ViewScene::Change, ViewScene::Problems> ViewScene::change_appearanc
   *now_.scene = std::move(*compiled);
   for (RenderLight& light : now_.scene->lights) now_.space.place(light);
   for (RenderMedium& medium : now_.scene->media) now_.space.place(medium);
+  for (RenderMap& map : now_.scene->maps) now_.space.place(map);
   now_.space.place(now_.scene->camera);
   now_.message = std::move(source.scene);
   now_.names = std::move(source.names);

@@ -15,7 +15,7 @@ from metamer.v1 import jobs_pb2, problem_pb2, scene_pb2
 
 MAX_SCENE_TEXT = 16 << 20  # bytes, as common/scene/scene_file.h
 _FILE_FIELDS = {"metamer.v1.Spectrum.file", "metamer.v1.Mesh.file", "metamer.v1.Settings.observer_file",
-                "metamer.v1.Light.Environment.file", "metamer.v1.Texture.file"}
+                "metamer.v1.Light.Environment.file", "metamer.v1.Texture.file", "metamer.v1.Map.file"}
 
 
 @dataclass

@@ -31,7 +31,8 @@ void Shading::shade_soft(const Packet& packet, const Hits& hits, const Places& p
       const soft::Sample8 sample = surface.sample(view, point, packet.point);
       const Int8 sound = view.lanes & (sample.weight > 0.0f) &
                          (sample.weight <= std::numeric_limits<float>::max());
-      const Int8 facing = sound & (dot(hits.normal, sample.direction) > 0.0f);
+      const Int8 facing =
+          sound & (dot(hits.normal, sample.direction) > 0.0f) & reached(hits, sample.direction);
       const Float8 weight = sample.weight * share;
       if (media_ != nullptr)
         shade_through(step, facing, ambient, sample.direction, sample.reach, weight);
@@ -60,7 +61,8 @@ void Shading::shade_by_sky(const Packet& packet, const Hits& hits, const Places&
       sky.put_sample(lane_of(hits.normal, i), index, seed, sample, i);
     }
     const Int8 sound = packet.active & (sample.weight > 0.0f);
-    const Int8 facing = sound & (dot(hits.normal, sample.direction) > 0.0f);
+    const Int8 facing =
+        sound & (dot(hits.normal, sample.direction) > 0.0f) & reached(hits, sample.direction);
     const Float8 weight = sample.weight * share;
     for (std::uint32_t part = 0; media_ != nullptr && part < sky.light_count(); ++part)
       shade_through(step_of(part), facing, ambient, sample.direction, far,

@@ -57,5 +57,38 @@ TEST(TextureCheck, AScaleIsNoZero) {
             Strings({"material[0].texture.scale.v: v must not be 0"}));
 }
 
+Strings map_findings(const std::string& maps) {
+  return findings({.material = "material { name: \"grey\" " + maps + " }"});
+}
+
+TEST(TextureCheck, AMapNeedsAPictureThatLiesSomewhere) {
+  EXPECT_EQ(map_findings("normal_map {} bump_map { file: 'h.jpg' } alpha { file: 'a.png' scale { "
+                         "v: 1 } }"),
+            Strings({"material[0].normal_map: map needs a file",
+                     "material[0].bump_map.file: file must end in .png or .exr (it is \"h.jpg\")",
+                     "material[0].alpha.scale.u: u must not be 0"}));
+  EXPECT_EQ(map_findings("normal_map { file: 'n.png' strength: -2 } bump_map { file: 'h.exr' "
+                         "channel: 'Y' } alpha { file: 'a.png' channel: 'A' cutoff: 0.5 }"),
+            Strings());
+}
+
+TEST(TextureCheck, AMapHasWhatItsUseHas) {
+  EXPECT_EQ(
+      map_findings("normal_map { file: 'n.png' channel: 'R' cutoff: 0.5 strength: 1e7 } "
+                   "alpha { file: 'a.png' strength: 1 cutoff: 1.5 }"),
+      Strings({"material[0].normal_map.channel: a normal map has its own channels, R, G and B",
+               "material[0].normal_map.cutoff: only an alpha has one",
+               "material[0].normal_map.strength: strength must lie in -1e+06..1e+06 (it is 1e+07)",
+               "material[0].alpha.strength: an alpha has none: `cutoff` makes it hard",
+               "material[0].alpha.cutoff: cutoff must lie in 0..1 (it is 1.5)"}));
+}
+
+TEST(TextureCheck, WhatEnclosesAVolumeHasNoHoles) {
+  EXPECT_EQ(map_findings("fresnel { dielectric { medium: \"N-BK7\" } } transmission {} alpha { file: "
+                         "'a.png' }"),
+            Strings({"material[0].alpha: what lets light through encloses a volume: its surface "
+                     "has no holes"}));
+}
+
 }  // namespace
 }  // namespace metamer::test

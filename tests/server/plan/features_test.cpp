@@ -7,6 +7,7 @@
 #include "common/scene/settings.h"
 #include "server/plan/plan.h"
 #include "tests/server/cpu/soft/sky_file.h"
+#include "tests/server/scene/small_png.h"
 #include "tests/server/test_scene.h"
 
 namespace metamer {
@@ -29,9 +30,28 @@ std::vector<Need> needs_of(const std::string& text) {
 
 TEST(Features, HaveANameEach) {
   EXPECT_STREQ(name_of(Feature::mirrors), "mirrors");
-  EXPECT_EQ(feature_names().size(), static_cast<std::size_t>(Feature::inter_reflection) + 1);
+  EXPECT_EQ(feature_names().size(), static_cast<std::size_t>(Feature::alpha) + 1);
   for (std::size_t i = 0; i < feature_names().size(); ++i)
     EXPECT_TRUE(Features::all().has(static_cast<Feature>(i))) << feature_names()[i];
+}
+
+TEST(Features, MapsAreAskedForByTheObjectsThatHaveThem) {
+  const std::string text =
+      "camera { eye { z: 3 } target {} } light { name: 'l' position { y: 2 } spectrum { standard: "
+      "'E' } } material { name: 'bumpy' bump_map { file: 'a.png' } } material { name: 'holed' "
+      "alpha "
+      "{ file: 'a.png' } } " +
+      object("a", "bumpy") + object("b", "holed");
+  const std::vector<Need> needs =
+      features_of(test::compile_text(text, {{"a.png", test::small_png(1, 1, 0, {'\x80'})}}),
+                  with_defaults(test::parse_scene(text).settings()));
+  const std::vector<Problem> refused = refuse_unsupported(
+      needs, {"toy backend", Features::all().without({Feature::normal_maps, Feature::alpha})});
+  ASSERT_EQ(refused.size(), 2u);
+  EXPECT_EQ(refused[0].field, "material[0]");
+  EXPECT_EQ(refused[0].message, "the toy backend has no normal or bump maps");
+  EXPECT_EQ(refused[1].field, "material[1].alpha");
+  EXPECT_EQ(refused[1].message, "the toy backend shows surfaces as a whole, without alpha");
 }
 
 TEST(Features, AreASet) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <numeric>
 
 #include "tests/server/cpu/soft/sky_file.h"
@@ -157,8 +158,10 @@ TEST(Texture, WrapsAsItIsTold) {
 
 TEST(Texture, OfOneWeightIsThatWeightAtEveryPlaceAndLevel) {
   const TexturePicture picture = with_levels(6, 5, 1, std::vector<std::uint16_t>(30, 32768));
-  for (const float place : {0.0f, 0.3f, 1.0f, -7.7f, 1e9f, -1e30f})
-    for (const float level : {-100.0f, 0.0f, 0.5f, 1.7f, 99.0f})
+  constexpr float infinity = std::numeric_limits<float>::infinity(),
+                  nan = std::numeric_limits<float>::quiet_NaN();
+  for (const float place : {0.0f, 0.3f, 1.0f, -7.7f, 1e9f, -1e30f, infinity, -infinity, nan})
+    for (const float level : {-100.0f, 0.0f, 0.5f, 1.7f, 99.0f, infinity, -infinity, nan})
       for (const auto wrap : {v1::Texture::REPEAT, v1::Texture::CLAMP, v1::Texture::MIRROR})
         EXPECT_NEAR(weights_at(picture, place, place, level, wrap)[0], 32768 / 65535.0, 1e-5);
 }

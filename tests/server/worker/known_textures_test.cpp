@@ -25,14 +25,14 @@ struct KnownTexturesTest : testing::Test {
     asset.set_name(file);
     asset.set_sha256(digest);
   }
-  void ask(const v1::Texture& message) {
+  void ask(const v1::Texture& message, PictureUse use = PictureUse::texture) {
     const TextureImport import = known.reusing(
-        [&](const v1::Texture&, const std::string&) -> Result<TexturePicture> {
+        [&](const v1::Texture&, PictureUse, const std::string&) -> Result<TexturePicture> {
           ++reads;
           return with_levels(1, 1, 1, {7});
         },
         names);
-    const auto picture = import(message, "material[0].texture");
+    const auto picture = import(message, use, "material[0].texture");
     ASSERT_TRUE(picture);
     EXPECT_EQ(picture->weights[0], 7);
   }
