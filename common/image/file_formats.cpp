@@ -17,7 +17,8 @@ Result<const FileFormats*> load() {
       module
           ? reinterpret_cast<decltype(&metamer_file_formats)>(dlsym(module, "metamer_file_formats"))
           : nullptr;
-  if (!functions) return problem(std::string("can't load what draws legends: ") + dlerror());
+  if (!functions)
+    return problem(std::string("can't load what draws legends and reads JPEGs: ") + dlerror());
   return functions();
 }
 
@@ -37,6 +38,11 @@ Result<Image> false_color(const Difference& difference, Metric metric, double to
 Result<void> draw_labels(Image& image, const std::vector<Label>& labels) {
   if (!formats()) return tl::unexpected(formats().error());
   return (*formats())->draw_labels(image, labels);
+}
+
+Result<RgbBytes> decode_jpeg(std::string_view bytes, std::uint64_t most) {
+  if (!formats()) return tl::unexpected(formats().error());
+  return (*formats())->decode_jpeg(bytes, most);
 }
 
 }  // namespace metamer

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/image/compare.h"
+#include "common/image/jpeg.h"
 #include "common/image/labels.h"
 
 namespace metamer {
@@ -11,6 +12,7 @@ namespace metamer {
 struct FileFormats {
   decltype(&metamer::false_color) false_color;
   decltype(&metamer::draw_labels) draw_labels;
+  decltype(&metamer::decode_jpeg) decode_jpeg;
 };
 
 }  // namespace metamer

@@ -6,6 +6,7 @@
 
 #include "daemon.h"
 #include "scenes.h"
+#include "tests/common/mesh/gltf/gltf_text.h"
 #include "viewer.h"
 
 namespace metamer::test {
@@ -47,6 +48,41 @@ TEST(Import, AFileThatEndsItsReaderFailsItsJobAndNobodyElses) {
   EXPECT_EQ(daemon.worker_pid(), worker);
   const std::string good = folder.write("good.txtpb", small_scene());
   EXPECT_EQ(daemon.metamer({"render", good, "-o", folder / "good.exr"}).code, 0);
+}
+
+/// A glTF with its colours in itself: the file becomes a scene, and the scene a picture.
+TEST(Import, AGltfsTextureIsInThePictureOfItsScene) {
+  const Folder folder;
+  GltfText text;
+  const int positions = text.vec3({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}),
+            uvs = text.accessor(std::vector<float>{0, 1, 1, 1, 1, 0, 0, 0}, "VEC2", 2),
+            indices = text.accessor(std::vector<std::uint8_t>{0, 1, 2, 0, 2, 3}, "SCALAR", 1);
+  text.node_of({{"attributes", {{"POSITION", positions}, {"TEXCOORD_0", uvs}}},
+                {"indices", indices},
+                {"material", 0}});
+  nlohmann::json material = {{"name", "red"}};
+  material["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 0;
+  text.json["materials"] = {material};
+  text.json["textures"] = {{{"source", 0}}};
+  text.json["images"] = {
+      {{"uri",
+        "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADEl"
+        "EQVR4nGP4z8AAAAMBAQDJ/pLvAAAAAElFTkSuQmCC"}}};
+  folder.write("a.glb", text.glb());
+  ProcessOptions here;
+  here.folder = folder.path();
+  const Ended imported = metamer({"import", "a.glb", "-o", "a.txtpb"}, here);
+  ASSERT_EQ(imported.code, 0) << imported.err;
+  EXPECT_EQ(metamer({"import", "a.glb", "-o", "a.txtpb"}, here).code, 2);
+  const Ended rendered =
+      metamer({"render", "a.txtpb", "--size", "16x16", "-o", "a.exr", "--method", "exact"}, here);
+  ASSERT_EQ(rendered.code, 0) << rendered.err;
+  const Image picture = read_exr(folder / "a.exr");
+  ASSERT_EQ(picture.width, 16);
+  const float* const middle = picture.at(8, 8);
+  EXPECT_GT(middle[0], 0.1f);
+  EXPECT_NEAR(middle[1], 0, 0.01);
+  EXPECT_NEAR(middle[2], 0, 0.01);
 }
 
 }  // namespace

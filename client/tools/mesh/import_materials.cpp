@@ -87,6 +87,62 @@ FileMaterial material_of(const MtlMaterial& from) {
   return to;
 }
 
+/// Its base colour beside a picture, which has no factor: a grey is the weight of the diffuse lobe.
+std::string factor_of(const Rgb& base, v1::Material& to) {
+  if (base == Rgb{1, 1, 1}) return "";
+  if (base[0] != base[1] || base[1] != base[2])
+    return ", and its base colour " + hex_of(base) + " does not count";
+  to.set_diffuseness(rounded(base[0]));
+  return ", darkened by its base colour";
+}
+
+/// What of a surface is there, by the alpha of its colours' file.
+std::string add_alpha(const GltfMaterial& from, const std::string& file, v1::Material& to) {
+  v1::Map& alpha = *to.mutable_alpha();
+  alpha.set_file(file);
+  place(*from.base_color_picture, alpha);
+  const double factor = from.base_alpha;
+  if (from.alpha_mode == "BLEND")
+    return factor == 1 ? "" : ", and the alpha of its base colour does not count";
+  // alpha × factor against a cutoff; where it never comes to that, nothing is there.
+  const double cutoff = factor > 0 ? from.alpha_cutoff / factor : 2;
+  alpha.set_cutoff(rounded(std::clamp(cutoff, 0.0, 1.0)));
+  return cutoff > 1 ? ", and its alphaCutoff is brought to 1" : "";
+}
+
+/// Returns what of them is left out.
+std::string add_pictures(const GltfMaterial& from, ImportedPictures& pictures, v1::Material& to) {
+  std::string remarks;
+  bool has_alpha = false;
+  if (from.base_color_picture) {
+    const auto picture = pictures.picture(from.base_color_picture->image);
+    if (picture) {
+      to.mutable_texture()->set_file(picture->file);
+      to.mutable_texture()->set_use(v1::Texture::RGB);
+      remarks += place(*from.base_color_picture, *to.mutable_texture());
+      has_alpha = picture->has_alpha;
+    } else {
+      remarks += ", times a texture (" + picture.error().message + ")";
+    }
+  }
+  const bool wants_alpha = from.alpha_mode == "MASK" || from.alpha_mode == "BLEND";
+  if (wants_alpha && has_alpha)
+    remarks += add_alpha(from, to.texture().file(), to);
+  else if (wants_alpha && !to.has_texture())
+    remarks += ", and its alphaMode " + from.alpha_mode + " does not count";
+  else if (wants_alpha && from.base_alpha != 1)
+    remarks += ", and the alpha of its base colour does not count";
+  if (!from.normal_picture) return remarks;
+  const auto picture = pictures.picture(from.normal_picture->image);
+  if (!picture || !picture->has_colors)
+    return remarks + ", and its normalTexture does not count (" +
+           (picture ? "it has no R, G and B" : picture.error().message) + ")";
+  v1::Map& normals = *to.mutable_normal_map();
+  normals.set_file(picture->file);
+  if (from.normal_picture->strength != 1) normals.set_strength(from.normal_picture->strength);
+  return remarks + place(*from.normal_picture, normals);
+}
+
 void add_library(const fs::path& file, FileMaterials& to) {
   const std::string name = file.filename().string();
   const auto text = read_file(file, max_mtl);
@@ -109,8 +165,10 @@ FileMaterials materials_of(const GltfScene& scene) {
          .base_color = from.base_color,
          .specular = {},
          .exponent = 0,
-         .remarks = std::string(from.is_textured ? ", times a texture" : "") +
-                    (from.is_metallic ? ", and it is a metal" : "") + not_counted(from.left_out)});
+         .remarks =
+             std::string(from.is_textured && !from.base_color_picture ? ", times a texture" : "") +
+             (from.is_metallic ? ", and it is a metal" : "") + not_counted(from.left_out),
+         .gltf = from});
   return result;
 }
 
@@ -125,11 +183,18 @@ FileMaterials load_obj_materials(const fs::path& obj) {
   return result;
 }
 
-std::string fill(const FileMaterial& from, v1::Material& to) {
+std::string fill(const FileMaterial& from, ImportedPictures& pictures, v1::Material& to) {
   const Rgb base = within_gamut(from.base_color);
-  set_color(base, *to.mutable_diffuse());
-  std::string said = "material " + quoted(from.name) + ": its base colour is " + hex_of(base) +
-                     from.remarks + "; a reflectance that looks so under D65 stands for it";
+  std::string remarks = from.remarks;
+  if (from.gltf) remarks = add_pictures(*from.gltf, pictures, to) + remarks;
+  std::string said = "material " + quoted(from.name) + ": ";
+  if (to.has_texture()) {
+    said += "its colours are those of " + quoted(to.texture().file()) + factor_of(base, to);
+  } else {
+    set_color(base, *to.mutable_diffuse());
+    said += "its base colour is " + hex_of(base);
+  }
+  said += remarks + "; a reflectance that looks so under D65 stands for it";
   if (base != from.base_color) said += ", as it goes beyond 0..1";
   const double strength = *std::max_element(from.specular.begin(), from.specular.end());
   if (!(strength > 0)) return said;

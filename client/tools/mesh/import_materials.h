@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "client/tools/mesh/import_pictures.h"
 #include "common/mesh/gltf/gltf_scene.h"
 #include "metamer/v1/scene.pb.h"
 
@@ -17,6 +18,7 @@ struct FileMaterial {
   Double3 specular{};    ///< The same, of a highlight; 0: it has none.
   double exponent = 0;   ///< n of its (N·H)^n.
   std::string remarks;   ///< What of it is left out: ", times a texture"; empty: nothing.
+  std::optional<GltfMaterial> gltf = {};  ///< What it is of, for its pictures.
 };
 
 struct FileMaterials {
@@ -31,7 +33,8 @@ FileMaterials materials_of(const GltfScene& scene);
 FileMaterials load_obj_materials(const std::filesystem::path& obj);
 
 /// Gives a material of a scene the colours of one of a file: reflectances that are seen so under
-/// D65 (reflectance_of_rgb), and a highlight by blinn_phong. Returns what is to be said of it.
-std::string fill(const FileMaterial& from, v1::Material& to);
+/// D65 (reflectance_of_rgb), and a highlight by blinn_phong; of a glTF the pictures of its colours,
+/// normals and alpha. Returns what is to be said of it.
+std::string fill(const FileMaterial& from, ImportedPictures& pictures, v1::Material& to);
 
 }  // namespace metamer::client

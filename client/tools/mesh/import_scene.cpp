@@ -47,8 +47,13 @@ class UniqueNames {
 class Builder {
  public:
   Builder(const MeshFile& mesh, const MeshFacts& facts, std::string file, const GltfScene& gltf,
-          const FileMaterials& materials)
-      : mesh_(mesh), facts_(facts), file_(std::move(file)), gltf_(gltf), materials_(materials) {
+          const FileMaterials& materials, ImportedPictures& pictures)
+      : mesh_(mesh),
+        facts_(facts),
+        file_(std::move(file)),
+        gltf_(gltf),
+        materials_(materials),
+        pictures_(pictures) {
     const Vector3d low = vector_of(facts.low), high = vector_of(facts.high);
     center_ = (low + high) / 2;
     radius_ = std::max((high - low).norm() / 2, 1e-9);
@@ -65,6 +70,7 @@ class Builder {
     camera();
     lights();
     objects();
+    result_.files = pictures_.take_files();
     return std::move(result_);
   }
 
@@ -175,7 +181,7 @@ class Builder {
     const auto from = std::find_if(materials_.materials.begin(), materials_.materials.end(),
                                    [&](const FileMaterial& one) { return one.name == name; });
     if (from != materials_.materials.end()) {
-      result_.left_out.push_back(fill(*from, to));
+      result_.left_out.push_back(fill(*from, pictures_, to));
       return;
     }
     to.mutable_diffuse()->set_constant(no_color);
@@ -188,6 +194,7 @@ class Builder {
   std::string file_;
   const GltfScene& gltf_;
   const FileMaterials& materials_;
+  ImportedPictures& pictures_;
   Vector3d center_;
   double radius_;
   ImportedScene result_;
@@ -225,7 +232,8 @@ Result<ImportedScene> import_scene(const std::filesystem::path& mesh,
                                   .message = "lies outside the scene's folder, " +
                                              quoted(folder.string()) +
                                              ": put the scene into the mesh's folder or above it"});
-  return Builder(*loaded, facts, relative, gltf, materials).build();
+  ImportedPictures pictures(gltf, relative, scene_folder);
+  return Builder(*loaded, facts, relative, gltf, materials, pictures).build();
 }
 
 std::string scene_text(const ImportedScene& scene, const std::filesystem::path& mesh) {

@@ -39,11 +39,11 @@ std::optional<std::string> percent_decode(std::string_view uri) {
   return text;
 }
 
-Result<std::string> buffer_file(const std::string& uri, const std::string& name) {
-  if (has_scheme(uri)) return problem("names the buffer " + quoted(uri) + ", which is not a file");
+Result<std::string> file_of_uri(const std::string& uri, const std::string& name, const char* what) {
+  const std::string begin = std::string("names the ") + what + " " + quoted(uri);
+  if (has_scheme(uri)) return problem(begin + ", which is not a file");
   const auto decoded = percent_decode(uri);
-  if (!decoded || decoded->empty())
-    return problem("names the buffer " + quoted(uri) + ", which is not a URI");
+  if (!decoded || decoded->empty()) return problem(begin + ", which is not a URI");
   const auto path = std::filesystem::path(name).parent_path() / *decoded;
   return path.lexically_normal().string();
 }
@@ -70,7 +70,7 @@ Result<std::vector<std::string>> gltf_buffers(std::string_view text, const std::
     }
     const auto& written = uri->get_ref<const std::string&>();
     if (written.starts_with("data:")) continue;
-    auto resolved = buffer_file(written, name);
+    auto resolved = file_of_uri(written, name);
     if (!resolved) return problem(file + resolved.error().message);
     if (std::find(names.begin(), names.end(), *resolved) == names.end())
       names.push_back(*std::move(resolved));

@@ -17,9 +17,10 @@ inline constexpr std::size_t max_gltf_buffers = 64;
 /// Undoes %20 and the like (RFC 3986, 2.1); nothing when a % is not followed by two digits.
 std::optional<std::string> percent_decode(std::string_view uri);
 
-/// The file that a buffer's URI names, relative to the scene's folder: of "mesh/a.gltf",
-/// "b%20c.bin" is "mesh/b c.bin". Errors: a scheme, no URI.
-Result<std::string> buffer_file(const std::string& uri, const std::string& name);
+/// The file that a URI of a buffer or image names, relative to the scene's folder: of
+/// "mesh/a.gltf", "b%20c.bin" is "mesh/b c.bin". Errors: a scheme, no URI.
+Result<std::string> file_of_uri(const std::string& uri, const std::string& name,
+                                const char* what = "buffer");
 
 /// The files that hold the buffers of a .gltf named `name`, as names relative to the scene's
 /// folder: "meshes/lamp.gltf" with the URI "lamp%20data.bin" gives "meshes/lamp data.bin". data:

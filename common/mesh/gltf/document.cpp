@@ -153,7 +153,7 @@ Result<Bytes> Document::read(std::size_t buffer) {
   }
   const std::string written = uri.text();
   if (written.starts_with("data:")) return decode_data_uri(written);
-  const auto file = buffer_file(written, name_);
+  const auto file = file_of_uri(written, name_);
   if (!file) return tl::unexpected(file.error());
   return (*files_)(*file);
 }
@@ -183,6 +183,29 @@ std::span<const char> Document::bytes(const Value& buffer, std::uint64_t offset,
     return {};
   }
   return {all.data() + offset, length};
+}
+
+Result<Document::Image> Document::image(const Value& image) {
+  if (const Value uri = image["uri"]) {
+    const std::string written = uri.text();
+    if (written.starts_with("data:"))
+      return decode_data_uri(written).map([](Bytes&& bytes) {
+        return Image{{}, std::move(bytes)};
+      });
+    return file_of_uri(written, name_, "image").map([](std::string&& file) {
+      return Image{std::move(file), {}};
+    });
+  }
+  const Value views = root()["bufferViews"];
+  const auto index = image["bufferView"].index(views.size());
+  if (!index) return problem("has neither a URI nor a view");
+  const Value view = views[*index];
+  constexpr auto most = std::uint64_t{1} << 40;
+  const std::span<const char> bytes = this->bytes(view["buffer"], view["byteOffset"].whole(most, 0),
+                                                  view["byteLength"].whole(most));
+  if (bytes.empty()) return problem("has an empty view");
+  const Bytes& owner = **buffers_[*view["buffer"].index(buffers_.size())];
+  return Image{{}, Bytes(std::make_shared<Bytes>(owner), bytes)};
 }
 
 }  // namespace metamer::gltf

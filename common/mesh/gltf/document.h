@@ -19,11 +19,22 @@ class Document {
   Value root() const { return {&*json_, {}, *faults_}; }
   const std::optional<std::string>& fault() const { return faults_->first(); }
 
+  /// Bytes of the file, and of its buffers as far as they were read.
+  std::uint64_t size() const { return size_; }
   /// How many elements without bytes, which are all 0, a file of its size may name.
   std::uint64_t most_zeros() const { return size_; }
 
   /// `length` bytes of a buffer from `offset` on; a fault and none: there are not so many.
   std::span<const char> bytes(const Value& buffer, std::uint64_t offset, std::uint64_t length);
+
+  /// Where an image is (5.18): a file, relative to the folder that the document's name is relative
+  /// to, or its bytes, which are not copied. Errors: a URI that is neither. A view that is not
+  /// there, or not sound, is a fault.
+  struct Image {
+    std::string file;
+    Bytes bytes;
+  };
+  Result<Image> image(const Value& image);
 
  private:
   Document() = default;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "common/mesh/gltf/nodes.h"
+#include "common/mesh/gltf/pictures.h"
 #include "common/mesh/text.h"
 
 namespace metamer::gltf {
@@ -71,8 +72,8 @@ std::set<std::string> extensions_of(const Document& document) {
 }
 
 /// What a material has beside its base colour (3.9, and its extensions).
-std::vector<std::string> left_out_of(const Value& material,
-                                     const std::set<std::string>& extensions) {
+std::vector<std::string> left_out_of(const Value& material, const std::set<std::string>& extensions,
+                                     bool has_normals) {
   std::vector<std::string> names;
   const auto tell = [&](bool counts, const std::string& name) {
     if (counts) names.push_back(name);
@@ -80,31 +81,38 @@ std::vector<std::string> left_out_of(const Value& material,
   const Value rough = material["pbrMetallicRoughness"];
   tell(rough["roughnessFactor"].number(1) != 1, "roughnessFactor");
   tell(bool(rough["metallicRoughnessTexture"]), "metallicRoughnessTexture");
-  for (const char* texture : {"normalTexture", "occlusionTexture", "emissiveTexture"})
+  tell(material["normalTexture"] && !has_normals, "normalTexture");
+  for (const char* texture : {"occlusionTexture", "emissiveTexture"})
     tell(bool(material[texture]), texture);
   if (const auto emitted = material["emissiveFactor"].numbers(3))
     tell(*emitted != std::vector<double>(3, 0.0), "emissiveFactor");
-  if (const std::string mode = on_one_line(material["alphaMode"].text()); mode != "OPAQUE")
-    tell(!mode.empty(), "alphaMode " + mode);
   for (const std::string& extension : extensions)
     tell(bool(material["extensions"][extension.c_str()]), extension);
   return names;
 }
 
-void read_materials(const Document& document, GltfScene& scene) {
+void read_materials(Document& document, GltfScene& scene) {
+  Pictures pictures(document, scene.images);
   const Value materials = document.root()["materials"];
   const std::vector<std::string> names = material_names(document);
   const std::set<std::string> extensions = extensions_of(document);
   for (std::size_t i = 0; i < materials.size(); ++i) {
     const Value rough = materials[i]["pbrMetallicRoughness"];
+    const auto normals = pictures.of(materials[i]["normalTexture"]);
     GltfMaterial material{.name = names[i],
                           .base_color = {1, 1, 1},
                           .is_textured = bool(rough["baseColorTexture"]),
                           .is_metallic = rough["metallicFactor"].number(1) > 0.5,
-                          .left_out = left_out_of(materials[i], extensions)};
-    if (const auto color = rough["baseColorFactor"].numbers(4))
+                          .base_color_picture = pictures.of(rough["baseColorTexture"]),
+                          .normal_picture = normals,
+                          .alpha_mode = on_one_line(materials[i]["alphaMode"].text()),
+                          .alpha_cutoff = materials[i]["alphaCutoff"].number(0.5),
+                          .left_out = left_out_of(materials[i], extensions, normals.has_value())};
+    if (const auto color = rough["baseColorFactor"].numbers(4)) {
       for (std::size_t k = 0; k < 3; ++k)
         material.base_color[k] = std::clamp((*color)[k], 0.0, 1.0);
+      material.base_alpha = std::clamp((*color)[3], 0.0, 1.0);
+    }
     scene.materials.push_back(std::move(material));
   }
 }
@@ -142,7 +150,7 @@ void tell_points_and_lines(const Document& document, const PlacedNode& node, std
 
 }  // namespace
 
-static Result<GltfScene> read_scene(const Document& document) {
+static Result<GltfScene> read_scene(Document& document) {
   GltfScene scene;
   const Value root = document.root(), nodes = root["nodes"];
   const Value lights = root["extensions"]["KHR_lights_punctual"]["lights"];
@@ -172,7 +180,7 @@ namespace metamer {
 
 Result<GltfScene> read_gltf_scene(const Bytes& bytes, const std::string& name,
                                   const MeshBytes& files) {
-  const auto document = gltf::Document::open(bytes, name, files);
+  auto document = gltf::Document::open(bytes, name, files);
   if (!document) return tl::unexpected(document.error());
   return gltf::read_scene(*document);
 }

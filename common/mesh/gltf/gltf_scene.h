@@ -22,10 +22,32 @@ struct GltfLight {
   bool is_colored;
 };
 
+/// An image that a material names: a file, or bytes within the glTF's own.
+struct GltfImage {
+  std::string name = {};   ///< May be empty.
+  std::string file = {};   ///< Relative to the folder that the glTF's name is relative to.
+  Bytes bytes = {};        ///< Where it is no file.
+  std::string fault = {};  ///< Why it is neither.
+};
+
+/// One that lies on a surface: at rotation (scale uv) + offset, where v rises from its bottom.
+struct GltfPicture {
+  enum class Wrap { repeat, clamp, mirror };
+  std::size_t image;  ///< Index into GltfScene::images.
+  Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+  std::array<double, 2> scale = {1, 1}, offset = {0, 0};
+  double rotation = 0;  ///< Degrees, from u towards v.
+  double strength = 1;  ///< Of normals.
+};
+
 struct GltfMaterial {
   std::string name;
   Double3 base_color;  ///< Linear sRGB, 0..1.
   bool is_textured, is_metallic;
+  std::optional<GltfPicture> base_color_picture = {}, normal_picture = {};
+  double base_alpha = 1;
+  std::string alpha_mode = {};  ///< "MASK", "BLEND"; else it is opaque.
+  double alpha_cutoff = 0.5;    ///< Of MASK.
   /// What else counts of it: "emissiveFactor", "KHR_materials_transmission", each once.
   std::vector<std::string> left_out = {};
 };
@@ -34,6 +56,7 @@ struct GltfScene {
   std::vector<GltfCamera> cameras;  ///< Perspective ones, in the scene's order.
   std::vector<GltfLight> lights;
   std::vector<GltfMaterial> materials;
+  std::vector<GltfImage> images;      ///< That the materials' pictures name.
   std::vector<std::string> left_out;  ///< As sentences.
 };
 

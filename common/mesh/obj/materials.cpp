@@ -99,7 +99,7 @@ class MtlReader {
     if (value)
       to = value;
     else
-      note(mesh_text::cited(rest) + " as a value of " + quoted(now_->name));
+      note(mesh_text::cited(rest) + " as a value of " + metamer::quoted(now_->name));
   }
 
   /// What is no opaque surface without light of its own.

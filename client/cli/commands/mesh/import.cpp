@@ -16,16 +16,27 @@ struct ImportOptions {
   bool force = false, json = false;
 };
 
+struct Output {
+  std::filesystem::path file;
+  std::vector<unsigned char> bytes;
+};
+
+/// The pictures first: a scene is there when all is that it names.
+std::vector<Output> outputs_of(const client::ImportedScene& scene, const ImportOptions& options) {
+  const std::filesystem::path output = options.output;
+  std::vector<Output> outputs;
+  for (const client::NewFile& file : scene.files)
+    outputs.push_back({output.parent_path() / file.name, {file.bytes.begin(), file.bytes.end()}});
+  const std::string text = client::scene_text(scene, options.file);
+  outputs.push_back({output, {text.begin(), text.end()}});
+  return outputs;
+}
+
 ExitCode run(const ImportOptions& options) {
   Report report(options.json);
-  std::error_code none;
   const std::filesystem::path output = options.output;
   if (output.extension() != ".txtpb") {
     report.error(quoted(options.output) + " is no scene: a scene's name ends in .txtpb");
-    return report.finish(ExitCode::bad_input);
-  }
-  if (!options.force && std::filesystem::exists(output, none)) {
-    report.error(quoted(options.output) + " is there already; --force writes over it");
     return report.finish(ExitCode::bad_input);
   }
   const auto scene = client::import_scene(options.file, output.parent_path());
@@ -33,10 +44,20 @@ ExitCode run(const ImportOptions& options) {
     report.problem(scene.error());
     return report.finish(ExitCode::bad_input);
   }
-  const std::string text = client::scene_text(*scene, options.file);
-  if (auto written = write_whole_file(output, {text.begin(), text.end()}); !written) {
-    report.error(quoted(options.output) + " " + written.error().message);
-    return report.finish(ExitCode::other);
+  const std::vector<Output> outputs = outputs_of(*scene, options);
+  for (const Output& one : outputs) {
+    std::error_code none;
+    if (options.force || !std::filesystem::exists(one.file, none)) continue;
+    report.error(quoted(one.file.string()) + " is there already; --force writes over it");
+    return report.finish(ExitCode::bad_input);
+  }
+  std::vector<std::string> files;
+  for (const Output& one : outputs) {
+    if (auto written = write_whole_file(one.file, one.bytes); !written) {
+      report.error(quoted(one.file.string()) + " " + written.error().message);
+      return report.finish(ExitCode::other);
+    }
+    if (&one != &outputs.back()) files.push_back(one.file.string());
   }
   for (const std::string& sentence : scene->left_out)
     report.note({.field = {}, .file = options.file, .message = sentence});
@@ -44,6 +65,7 @@ ExitCode run(const ImportOptions& options) {
   report.document()["objects"] = scene->message.object_size();
   report.document()["materials"] = scene->message.material_size();
   report.document()["lights"] = scene->message.light_size();
+  report.document()["files"] = files;
   report.document()["left_out"] = scene->left_out;
   const auto number = [](int count, const char* one, const char* many) {
     return client::counted(static_cast<std::uint64_t>(count), one, many);
@@ -72,7 +94,8 @@ void declare(ImportOptions& values, Options& options) {
 
 Command commands::import_mesh() {
   return make_command<ImportOptions>(
-      "import", "make a scene of a mesh file: objects, camera, lights, materials", declare, run);
+      "import", "make a scene of a mesh file: objects, camera, lights, materials, textures",
+      declare, run);
 }
 
 }  // namespace metamer::cli
