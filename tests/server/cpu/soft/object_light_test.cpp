@@ -254,6 +254,8 @@ TEST(ObjectLight, WhatCantShineIsRefusedWhereItStands) {
   EXPECT_EQ(refused_lamp(
                 lamp(ball, "", "fresnel { dielectric { n { constant: 1.5 } } } transmission {}")),
             Found{"light[0].object: its material is clear: what lets light through can't shine"});
+  EXPECT_EQ(refused_lamp(lamp(ball, "", "alpha { file: 'a.png' }")),
+            Found{"light[0].object: its material has alpha: what is not all there can't shine"});
   EXPECT_EQ(refused_lamp(lamp(ball, "reference_distance: 2")),
             Found{"light[0].reference_distance: reference_distance is for lights whose shape is "
                   "known: the luminance is that of the object's own surface"});
