@@ -65,6 +65,13 @@ TEST_F(KnownTexturesTest, AnotherUseOrNumberOfSpectraIsReadAnew) {
   EXPECT_EQ(reads, 3);
 }
 
+TEST_F(KnownTexturesTest, WhatIsReadAsAlphaIsReadAnewAsHeights) {
+  ask(texture("a.png"), PictureUse::alpha);
+  ask(texture("a.png"), PictureUse::heights);
+  ask(texture("a.png"), PictureUse::alpha);
+  EXPECT_EQ(reads, 2);
+}
+
 TEST_F(KnownTexturesTest, WhatNobodyAskedForIsForgotten) {
   ask(texture("a.png"));
   known = std::move(known).asked();
