@@ -33,12 +33,15 @@ test::Files share(unsigned char value) {
 }
 
 TEST(Cutouts, WhatIsAllThereOrNotAtAllIsAsIfItWereSo) {
-  const auto whole = test::render(sheet(alpha), share(255)), opaque = test::render(sheet("")),
-             none = test::render(sheet(alpha), share(0)),
-             wall = test::render(sheet("", "spp: 1", "sphere { center { x: 99 } radius: 1 }"));
-  for (std::size_t i = 0; i < whole.xyz.size(); ++i) {
-    EXPECT_NEAR(whole.xyz[i], opaque.xyz[i], 1e-6);
-    EXPECT_NEAR(none.xyz[i], wall.xyz[i], 1e-6);
+  for (const std::string settings : {"spp: 1", "spp: 2 bounces: 2 bounce_samples: 2"}) {
+    const auto whole = test::render(sheet(alpha, settings), share(255)),
+               opaque = test::render(sheet("", settings)),
+               none = test::render(sheet(alpha, settings), share(0)),
+               wall = test::render(sheet("", settings, "sphere { center { x: 99 } radius: 1 }"));
+    for (std::size_t i = 0; i < whole.xyz.size(); ++i) {
+      EXPECT_NEAR(whole.xyz[i], opaque.xyz[i], 1e-5);
+      EXPECT_NEAR(none.xyz[i], wall.xyz[i], 1e-5);
+    }
   }
 }
 
