@@ -84,10 +84,11 @@ TEST(TextureCheck, AMapHasWhatItsUseHas) {
 }
 
 TEST(TextureCheck, WhatEnclosesAVolumeHasNoHoles) {
-  EXPECT_EQ(map_findings("fresnel { dielectric { medium: \"N-BK7\" } } transmission {} alpha { file: "
-                         "'a.png' }"),
-            Strings({"material[0].alpha: what lets light through encloses a volume: its surface "
-                     "has no holes"}));
+  EXPECT_EQ(
+      map_findings("fresnel { dielectric { medium: \"N-BK7\" } } transmission {} alpha { file: "
+                   "'a.png' }"),
+      Strings({"material[0].alpha: what lets light through encloses a volume: its surface "
+               "has no holes"}));
 }
 
 }  // namespace
