@@ -221,9 +221,13 @@ void SlurmExecutor::submit(const RunPtr& run, std::vector<v1::BatchOrder> orders
   const std::string picture = orders[0].picture();
   const auto order = [this, submission, picture, orders = std::move(orders),
                       bytes = picture.empty() ? std::string() : run->picture_bytes()] {
-    auto written = write_orders(submission.folder, orders);
-    if (written && !picture.empty()) written = write_picture(picture, bytes);
-    return written ? commands_.submit(submission) : written;
+    try {
+      auto written = write_orders(submission.folder, orders);
+      if (written && !picture.empty()) written = write_picture(picture, bytes);
+      return written ? commands_.submit(submission) : written;
+    } catch (const std::exception& error) {
+      return Result<void>(problem(error.what()));
+    }
   };
   ++submissions_;
   elsewhere(order, [this, run, name, attempts](const Result<void>& result) {

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -65,15 +66,20 @@ class SlurmExecutor final : public Executor {
     std::vector<FoundResult> results;
   };
 
-  /// Has `work` done by the thread, and `then` here with what it gives.
+  /// Has `work` done by the thread, and `then` here with what it gives. What it throws, for want of
+  /// memory say, is thrown here.
   template <class Work, class Then>
   void elsewhere(Work work, Then then) {
     auto tracked = asio::prefer(executor_, asio::execution::outstanding_work.tracked);
     asio::post(thread_, [this, tracked, work = std::move(work), then = std::move(then)]() mutable {
-      auto result = std::make_shared<decltype(work())>(work());
-      asio::post(tracked, [this, result, then = std::move(then)]() mutable {
-        if (!ending_) then(std::move(*result));
-      });
+      try {
+        auto result = std::make_shared<decltype(work())>(work());
+        asio::post(tracked, [this, result, then = std::move(then)]() mutable {
+          if (!ending_) then(std::move(*result));
+        });
+      } catch (...) {
+        asio::post(tracked, [error = std::current_exception()] { std::rethrow_exception(error); });
+      }
     });
   }
   double now() const;

@@ -31,8 +31,13 @@ void SlurmExecutor::look() {
   const auto survey = [this, folders, lists] {
     Survey seen;
     seen.listed = lists;
-    if (lists) seen.listing = commands_.list(options_.server);
-    seen.results = take_results(folders);
+    try {
+      if (lists) seen.listing = commands_.list(options_.server);
+      seen.results = take_results(folders);
+    } catch (const std::exception& error) {
+      seen.listed = true;
+      seen.listing = problem(error.what());
+    }
     return seen;
   };
   elsewhere(survey, [this](Survey seen) { on_survey(std::move(seen)); });
