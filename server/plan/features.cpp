@@ -51,7 +51,10 @@ Lack lack(Feature feature, const std::string& by) {
 }
 
 std::string element(const char* list, std::size_t i) {
-  return list + ("[" + std::to_string(i) + "]");
+  std::string text = list;
+  text += '[';
+  text += std::to_string(i);
+  return text + ']';
 }
 
 /// Of objects, whose `part` it is that needs it.
