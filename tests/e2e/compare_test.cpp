@@ -199,8 +199,8 @@ TEST_F(CompareCommand, SaysWhereTheModuleOfFileFormatsIsMissing) {
   std::filesystem::copy_file(METAMER_BIN "/metamer", alone);
   const Ended ended = run({alone, "compare", a, b, "-o", folder / "c.png"});
   EXPECT_EQ(ended.code, 1);
-  EXPECT_EQ(ended.err.rfind("error: can't load what draws legends: " + folder.path() +
-                                "/metamer-file-formats.so: ",
+  EXPECT_EQ(ended.err.rfind("error: can't load what draws legends and reads JPEGs: " +
+                                folder.path() + "/metamer-file-formats.so: ",
                             0),
             0u)
       << ended.err;

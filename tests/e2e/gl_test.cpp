@@ -88,7 +88,8 @@ TEST(Gl, InfoTellsWhatEachBackendHas) {
   EXPECT_EQ(sets[0]["name"], "cpu");
   EXPECT_EQ(sets[0]["feature"],
             Json({"mirrors", "exact_fresnel", "anisotropy", "corner_shading", "factors", "textures",
-                  "area_lights", "environment", "planes", "fluorescence", "transmission"}));
+                  "area_lights", "environment", "planes", "fluorescence", "transmission", "lens",
+                  "inter_reflection", "normal_maps", "alpha"}));
   EXPECT_EQ(sets[1]["name"], "gl");
   EXPECT_EQ(sets[1]["feature"],
             Json({"exact_fresnel", "anisotropy", "corner_shading", "fluorescence", "multi_pass"}));

@@ -49,8 +49,9 @@ Points points(Random& random) {
 
 /// Finite, not negative, and the same within the bounds of tests/extremes. `peak` is the value in
 /// the mirror direction.
-void expect_lawful(double f64, float f32, double peak, const Angles<double>& a, const char* name) {
-  const double bound = std::max({2e-6 * f64, 5e-7 * peak, 1.2e-38});
+void expect_lawful(double f64, float f32, double peak, const Angles<double>& a, const char* name,
+                   double relative = 2e-6) {
+  const double bound = std::max({relative * f64, 5e-7 * peak, 1.2e-38});
   const bool lawful = std::isfinite(f64) && f64 >= 0 && std::isfinite(f32) && f32 >= 0 &&
                       std::abs(f64 - double(f32)) <= bound;
   if (lawful) return;
@@ -81,7 +82,9 @@ TEST(Laws, LobesAreFiniteAndNotNegativeAndF32AgreesWithF64) {
         expect_lawful(exact.diffuse, lanes.diffuse[i], peak, angles, model.name);
         expect_lawful(exact.specular, lanes.specular[i], peak, angles, model.name);
         expect_lawful(exact.white, lanes.white[i], peak, angles, model.name);
-        expect_lawful(exact.fresnel, lanes.fresnel[i], peak, angles, model.name);
+        // Where valleys begin to hide, within 0.01 degrees of grazing, 1 − erf has lost digits.
+        expect_lawful(exact.fresnel, lanes.fresnel[i], peak, angles, model.name,
+                      model.traits & models::diffracting ? 1e-4 : 2e-6);
         EXPECT_EQ(exact.cosine, double(lanes.cosine[i])) << model.name;
       }
     }

@@ -86,7 +86,9 @@ FRESNEL = [
 ]
 REFLECTANCE = ("reflectance", "of copper", "fresnel { dielectric { reflectance { "
                f'file: "spectra/copper-reflectance.txt" }} }} }} {BRIGHT}')
-METALS = [(metal, "conductor", f"{conductor(metal)} {BRIGHT}") for metal in ("Cu", "Au", "Ag", "Al")]
+METALS = [(metal, "conductor", f"{conductor(metal)} {BRIGHT}") for metal in ("Cu", "Au", "Ag")]
+ROUGH = ("he_torrance", "Al, 0.15 µm", f"diffuseness: 0 specularness: 1 {conductor('Al')} "
+         "he_torrance { rms_roughness: 0.15 correlation_length: 2 }")
 ATTENUATIONS = [
     (name, "roughness 0.8", f"diffuseness: 0 specularness: 1 {conductor('Ag')} "
      f"slope {{ beckmann {{ roughness: 0.8 }} }} "
@@ -104,7 +106,7 @@ ROWS = [
     [("Slope distributions, roughness 0.3", slopes("Cu", "cook_torrance", 4)),
      ("", slopes("Au", "blinn", 0.9))],
     [("Fresnel term", FRESNEL), ("", [REFLECTANCE]), ("Attenuation, silver", ATTENUATIONS)],
-    [("Metals", METALS), ("Anisotropic", WARD), ("Shading of a coarse mesh", SHADINGS)],
+    [("Metals", METALS + [ROUGH]), ("Anisotropic", WARD), ("Shading of a coarse mesh", SHADINGS)],
 ]
 
 # Where the shipped table of P. B. Johnson and R. W. Christy, Phys. Rev. B 6, 4370 (1972) has copper:

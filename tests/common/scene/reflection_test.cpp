@@ -65,7 +65,7 @@ TEST(SceneReflection, WhatAModelHasNoUseForIsSaid) {
   EXPECT_EQ(of_material("fresnel { schlick {} }"),
             Strings({"material[0].fresnel: lambert has no use for fresnel without a mirror; models "
                      "that have: phong, "
-                     "hall_greenberg, cook_torrance, blinn"}));
+                     "hall_greenberg, cook_torrance, blinn, he_torrance"}));
   EXPECT_EQ(of_material("mirror: 0.5 fresnel { schlick {} }"), Strings());
 }
 

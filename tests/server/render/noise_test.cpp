@@ -17,7 +17,7 @@ namespace {
 /// A floor under half of a lamp, beside a wall: soft shadows, and light between the two.
 std::string corner_scene(const std::string& settings) {
   return "camera { eye { y: 1 z: 3 } target { y: 0.5 } } "
-         "light { name: 'l' quad { corner { x: -1 y: 2 z: 1 } u { x: 2 } v { z: -2 } } spectrum { "
+         "light { name: 'l' quad { corner { x: -1 y: 2 z: -1 } u { x: 2 } v { z: 2 } } spectrum { "
          "standard: 'D65' } luminance: 2 } material { name: 'm' diffuse { constant: 0.7 } } "
          "object { name: 'floor' material: 'm' plane {} } "
          "object { name: 'wall' material: 'm' quad { corner { x: -0.5 } u { x: 1 } v { y: 1 } } } "
@@ -75,7 +75,8 @@ TEST(SamplingNoise, FallsWithMoreSamples) {
 
 TEST(SamplingNoise, IsNotEstimatedWhereNothingIsSampled) {
   EXPECT_FALSE(
-      noise_of("light { name: 'l' position { y: 3 } spectrum { standard: 'D65' } } "
+      noise_of("camera { eye { y: 1 z: 3 } target {} } light { name: 'l' position { y: 3 } "
+               "spectrum { standard: 'D65' } } "
                "material { name: 'm' diffuse { constant: 0.7 } } object { name: 'o' "
                "material: 'm' plane {} } settings { width: 16 height: 16 }"));
 }

@@ -73,7 +73,7 @@ TEST(SchemaHelp, IsTheFieldsOwnCommentFirst) {
       found.paragraphs[0],
       "The luminance of a light with a position holds at this distance and falls with its "
       "square. Left out, it holds at every distance, as in E[2.2-3]; not so of a quad, disk or "
-      "sphere, whose light falls off by itself. metres, above 0");
+      "sphere, whose light falls off by itself. Not of an object. metres, above 0");
 }
 
 TEST(SchemaHelp, SaysTheTypesCommentToo) {
