@@ -227,7 +227,7 @@ void RayTree::refract_at(const Media::Interface& interface, const Branch& branch
   };
   const auto weigh = [&](Branch& child, FactorKind kind, float share) {
     child.importance[lane] *= share;
-    if (child.importance[lane] * packet.throughput[lane] < cutoff_ * child.share)
+    if (child.bounces == 0 && child.importance[lane] * packet.throughput[lane] < cutoff_)
       return;  // push() ends it
     child.packet.chain[lane] = gather.chain(packet.chain[lane], {kind, interface.number, cosine});
   };
@@ -285,13 +285,34 @@ void RayTree::push(Branch& child, std::vector<Branch>& stack, Workspace& workspa
   Int8& active = child.packet.active;
   for (unsigned i = 0; i < lane_count; ++i) {
     if (!active[i]) continue;
-    const bool is_long = child.surfaces >= most_surfaces;
-    if (!is_long && child.importance[i] * child.packet.throughput[i] >= cutoff_ * child.share)
-      continue;
-    end(child, i, is_long ? workspace.beyond_depth : workspace.below_cutoff);
+    if (child.surfaces >= most_surfaces) {
+      end(child, i, workspace.beyond_depth);
+    } else if (child.bounces > 0) {
+      if (goes_on(child, i)) continue;
+    } else {
+      if (child.importance[i] * child.packet.throughput[i] >= cutoff_) continue;
+      end(child, i, workspace.below_cutoff);
+    }
     active[i] = 0;
   }
   if (any(active)) stack.push_back(child);
+}
+
+/// A scattered path is one of many: if it weighs little among them it goes on by chance, and counts
+/// for as much more (J. Arvo and D. Kirk, 1990). So paths that split at each surface stay few.
+bool RayTree::goes_on(Branch& child, unsigned lane) {
+  constexpr float sure = 0.25f;
+  constexpr std::uint32_t of_chance = 1U << 30;
+  Packet& packet = child.packet;
+  const float probability = child.importance[lane] * packet.throughput[lane] / (child.share * sure);
+  if (probability >= 1) return true;
+  soft::Point8 chance;
+  soft::Pattern{packet.sample[lane], soft::hashed(packet.seed[lane], of_chance + child.surfaces)}
+      .shuffled()
+      .put(chance, lane);
+  if (!(chance.u[lane] < probability)) return false;
+  packet.throughput[lane] /= probability;
+  return true;
 }
 
 }  // namespace metamer::cpu

@@ -71,6 +71,7 @@ class RayTree {
   Children children_of(const Branch& branch) const;
   void push_all(Children& children, std::vector<Branch>& stack, Workspace& workspace) const;
   void push(Branch& child, std::vector<Branch>& stack, Workspace& workspace) const;
+  static bool goes_on(Branch& child, unsigned lane);
 
   const RenderScene& scene_;
   const EmbreeScene& geometry_;

@@ -134,7 +134,9 @@ LinearBasis scene_basis(const v1::Linear& method, const Observer& choice,
   Eigen::MatrixXd gram =
       products(light_columns(scene, observer, wavelengths)).cwiseProduct(surfaces);
   if (!scene.reradiated.empty()) gram += products(reradiated_by_lights(scene, observer));
-  if (method.bounce() || scene.inter_reflects) gram.array() *= surfaces.array();
+  const std::uint32_t again =
+      std::max(method.bounce() ? 1U : 0U, std::min(scene.bounces, most_bounces));
+  for (std::uint32_t i = 0; i < again; ++i) gram.array() *= surfaces.array();
 
   Eigen::VectorXd inner = to_vector(wavelengths.widths());
   if (method.weighting() == v1::Linear::OBSERVER)

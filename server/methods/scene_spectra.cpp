@@ -152,9 +152,9 @@ Eigen::MatrixXd surface_columns(const RenderScene& scene, const Wavelengths& wav
 }
 
 Eigen::MatrixXd mirror_columns(const RenderScene& scene, const Wavelengths& wavelengths) {
-  std::set<std::uint32_t> properties, constants;
+  std::set<std::uint32_t> properties, constants, diffuse;
   for (const RenderMaterial& material : scene.materials) {
-    if (scene.inter_reflects) properties.insert(material.diffuse);
+    if (scene.bounces > 0) diffuse.insert(material.diffuse);
     if (absorbs(scene, material)) properties.insert(scene.media[material.medium].transmittance);
     if (!(material.mirror > 0)) continue;
     if (material.fresnel == FresnelKind::exact)
@@ -164,6 +164,12 @@ Eigen::MatrixXd mirror_columns(const RenderScene& scene, const Wavelengths& wave
   }
   std::vector<Eigen::VectorXd> columns;
   for (const std::uint32_t i : properties) add(scene.properties[i], wavelengths, columns);
+  for (const std::uint32_t i : diffuse) {
+    add(scene.properties[i], wavelengths, columns);
+    const Eigen::ArrayXd once = columns.back().array();
+    for (std::uint32_t times = 2; times <= std::min(scene.bounces, most_bounces); times *= 2)
+      columns.push_back(once.pow(times));
+  }
   for (const std::uint32_t i : constants) add(scene.constants[i], wavelengths, columns);
   for (const RenderMaterial& material : scene.materials)
     if (material.mirror > 0 && material.has(models::diffracting))

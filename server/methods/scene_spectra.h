@@ -36,6 +36,9 @@ std::vector<Eigen::MatrixXd> fluorescent_columns(const RenderScene& scene,
 /// What a surface may multiply light by; of a Fresnel term, at three angles.
 Eigen::MatrixXd surface_columns(const RenderScene& scene, const Wavelengths& wavelengths);
 
+/// Of light that surfaces have reflected more often there is little.
+inline constexpr std::uint32_t most_bounces = 4;
+
 /// The same of mirrors alone, of what light goes through, and of surfaces that light others.
 Eigen::MatrixXd mirror_columns(const RenderScene& scene, const Wavelengths& wavelengths);
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "common/color/error_statistics.h"
+#include "server/methods/scene_spectra.h"
 #include "server/transport/factor_rows.h"
 #include "server/transport/mirror.h"
 
@@ -21,9 +22,10 @@ class ColorPatch {
   ColorPatch(const RenderScene& scene, std::uint32_t light)
       : light_(light), gather_(gather_for(scene)) {}
 
-  ColorPatch over(const Factor& factor) const {
+  ColorPatch over(const Factor& factor, std::uint32_t times) const {
     ColorPatch other = *this;
-    other.chain_ = other.gather_.chain(0, factor);
+    for (std::uint32_t i = 0; i < times; ++i)
+      other.chain_ = other.gather_.chain(other.chain_, factor);
     return other;
   }
   Gather diffuse(std::uint32_t material) const {
@@ -78,14 +80,16 @@ PilotPixels trace_pixels(const Probe& probe, const v1::Plan& plan, PixelRun run,
 
 PilotPixels scene_colors(const RenderScene& scene, Reference& reference) {
   const std::set<std::uint32_t> used = seen_materials(scene);
-  std::vector<Factor> passed;
+  std::vector<std::pair<Factor, std::uint32_t>> passed;  // so many times
   for (const std::uint32_t index : used) {
     const RenderMaterial& material = scene.materials[index];
-    if (scene.inter_reflects) passed.push_back({FactorKind::diffuse, index, 0});
-    if (material.mirror > 0) passed.push_back(mirror_factor(material, index, 1));
+    for (std::uint32_t n = 1; n <= std::min(scene.bounces, most_bounces); n *= 2)
+      passed.push_back({{FactorKind::diffuse, index, 0}, n});
+    if (material.mirror > 0) passed.push_back({mirror_factor(material, index, 1), 1});
     if (absorbs(scene, material))  // through its thickness
-      passed.push_back({FactorKind::absorb, index,
-                        static_cast<float>(scene.media[material.medium].optical_depth)});
+      passed.push_back({{FactorKind::absorb, index,
+                         static_cast<float>(scene.media[material.medium].optical_depth)},
+                        1});
   }
   PilotPixels pixels;
   const auto add = [&](const Gather& gather) {
@@ -101,7 +105,8 @@ PilotPixels scene_colors(const RenderScene& scene, Reference& reference) {
   };
   for (std::uint32_t light = 0; light < scene.lights.size(); ++light) add_all({scene, light});
   for (std::uint32_t light = 0; light < scene.lights.size(); ++light)
-    for (const Factor& factor : passed) add_all(ColorPatch(scene, light).over(factor));
+    for (const auto& [factor, times] : passed)
+      add_all(ColorPatch(scene, light).over(factor, times));
   return pixels;
 }
 

@@ -65,7 +65,7 @@ class Compiler {
     result_.pixel_angle =
         2 * result_.camera.tan_half_fov / with_defaults(scene_.settings()).height();
     observer();
-    result_.inter_reflects = scene_.settings().bounces() > 0;
+    result_.bounces = scene_.settings().bounces();
     for (int i = 0; i < scene_.light_size(); ++i) light(i);
     for (int i = 0; i < scene_.material_size(); ++i) material(i);
     for (int i = 0; i < scene_.material_size() && !cancelled_; ++i) {

@@ -138,7 +138,8 @@ struct RenderObject {
 struct RenderScene {
   RenderCamera camera;
   Observer observer = cie::observer_1931();
-  bool inter_reflects = false;  ///< Surfaces light each other, as the settings ask for.
+  /// How often surfaces light each other, as the settings ask for.
+  std::uint32_t bounces = 0;
   std::vector<RenderLight> lights;
   std::optional<RenderEnvironment> environment;
   std::vector<RenderMaterial> materials;  ///< Those of the scene, then the spectra of textures.
