@@ -87,7 +87,7 @@ FRESNEL = [
 REFLECTANCE = ("reflectance", "of copper", "fresnel { dielectric { reflectance { "
                f'file: "spectra/copper-reflectance.txt" }} }} }} {BRIGHT}')
 METALS = [(metal, "conductor", f"{conductor(metal)} {BRIGHT}") for metal in ("Cu", "Au", "Ag")]
-ROUGH = ("he_torrance", "Al, 0.15 µm", f"diffuseness: 0 specularness: 1 {conductor('Al')} "
+ROUGH = ("he_torrance", "Al, 150 nm", f"diffuseness: 0 specularness: 1 {conductor('Al')} "
          "he_torrance { rms_roughness: 0.15 correlation_length: 2 }")
 ATTENUATIONS = [
     (name, "roughness 0.8", f"diffuseness: 0 specularness: 1 {conductor('Ag')} "
