@@ -1,10 +1,9 @@
 #include "server/cpu/lens.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "server/cpu/shared_source.h"
+#include "server/cpu/soft/around.h"
 #include "server/cpu/soft/pattern.h"
 
 namespace metamer::cpu {
@@ -28,13 +27,9 @@ void Lens::put_rays(const Vec8& way, Packet& packet) const {
                                                                                               i);
   // Even over the disk.
   Float8 x, y;
-  for (unsigned i = 0; i < lane_count; ++i) {
-    const float radius = radius_ * std::sqrt(point.u[i]);
-    const float turn = 2 * std::numbers::pi_v<float> * point.v[i];
-    x[i] = radius * std::cos(turn);
-    y[i] = radius * std::sin(turn);
-  }
-  const Vec8 offset = right_ * x + up_ * y;
+  soft::turn(point.v, x, y);
+  const Float8 radius = radius_ * sqrt(point.u);
+  const Vec8 offset = right_ * (radius * x) + up_ * (radius * y);
   packet.origin = packet.origin + offset;
   packet.direction = shared::unit(way - offset * metamer::broadcast(per_focus_));
   packet.from_lens = true;

@@ -63,8 +63,10 @@ void RayTree::follow(Branch& branch, std::vector<Branch>& stack, Workspace& work
   shaded.active = shaded_lanes(branch, hits, crossing, crossing.passed);
   shaded.throughput *= select(layered, crossing.layer, metamer::broadcast(1));
   shaded.inside = &branch.inside;
-  if (any(shaded.active)) shading_.shade(shaded, hits, workspace);
-  if (branch.bounces < diffusion_.bounces) diffuse(branch, shaded, hits, stack, workspace);
+  if (any(shaded.active)) {
+    shading_.shade(shaded, hits, workspace);
+    if (branch.bounces < diffusion_.bounces) diffuse(branch, shaded, hits, stack, workspace);
+  }
   if (any(layered)) mirror_layers(branch, hits, shaded, layered, stack, workspace);
   packet.throughput *= 1.0f - crossing.layer;
 

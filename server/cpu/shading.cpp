@@ -253,7 +253,7 @@ void Shading::interpolate(const Step& step, Int8 lanes, Lobes& lobes) const {
       lobes.diffuse += weight * own.diffuse[p];
       lobes.specular += weight * own.specular[p];
       lobes.white += weight * own.white[p];
-      if (own.fresnel[p] == 0) continue;
+      if (own.fresnel[p] == 0 || packet.diffused) continue;  // as gather() has it
       Lobes one{};
       one.fresnel = select(same, weight * own.fresnel[p], Float8{});
       one.cosine = metamer::broadcast(own.cosine[p]);

@@ -61,6 +61,24 @@ TEST(InterReflection, IsOfTheDiffusePartOfAModel) {
       0.5 + 0.4 * 0.5, 1e-4);
 }
 
+TEST(InterReflection, AHighlightThrowsNothingHoweverItsSurfaceIsShaded) {
+  // A matte wall beside a glossy one without a diffuse part, whose highlight shines on it.
+  const auto wall = [](const std::string& shading) {
+    return brightness(
+        "camera { eye { x: 1 y: 1 z: 0.2 } target { y: 0.5 z: 0.5 } vertical_fov: 1 } "
+        "light { name: 'l' direction { y: -1 } spectrum { standard: 'D65' } } "
+        "material { name: 'wall' diffuse { constant: 0.5 } } "
+        "material { name: 'gloss' diffuseness: 0 specularness: 1 fresnel { conductor { metal: 'Cu' "
+        "} } slope { beckmann { roughness: 0.5 } } cook_torrance {} } "
+        "object { name: 'wall' material: 'wall' quad { corner {} u { y: 1 } v { z: 1 } } } "
+        "object { name: 'floor' material: 'gloss' quad { corner {} u { z: 1 } v { x: 1 } } } "
+        "settings { width: 1 height: 1 spp: 16 bounces: 2 shading: " +
+        shading + " }");
+  };
+  for (const char* shading : {"PHONG", "CONSTANT", "GOURAUD", "QUADRATIC"})
+    EXPECT_EQ(wall(shading), 0) << shading;
+}
+
 TEST(InterReflection, PathsThatSplitStayFewAndLoseNoLight) {
   // Each surface scatters and mirrors: with n bounces and m mirrors left there come a (1 + what is
   // left of n) + .4 (what is left of m) from it. There are 12,870 ways to take all 16.
