@@ -13,28 +13,24 @@ MeshImport KnownMeshes::reusing(MeshImport import, const AssetNames& names) {
     // Import what is missing.
     MeshRequest missing{request.file, {}};
     for (const MeshRequest::Mesh& one : request.meshes)
-      if (!meshes_.contains(key(one.use))) missing.meshes.push_back(one);
+      if (!meshes_.has(key(one.use))) missing.meshes.push_back(one);
     if (!missing.meshes.empty()) {
       auto imported = import(missing);
       if (!imported) return imported;
       for (std::size_t i = 0; i < missing.meshes.size(); ++i)
-        meshes_[key(missing.meshes[i].use)].mesh = std::move((*imported)[i]);
+        meshes_.add(key(missing.meshes[i].use), std::move((*imported)[i]));
     }
 
     // Hand out all.
     std::vector<TriangleMesh> meshes;
-    for (const MeshRequest::Mesh& one : request.meshes) {
-      Known& known = meshes_.at(key(one.use));
-      known.asked = true;
-      meshes.push_back(known.mesh);
-    }
+    for (const MeshRequest::Mesh& one : request.meshes)
+      meshes.push_back(*meshes_.ask(key(one.use)));
     return meshes;
   };
 }
 
 KnownMeshes KnownMeshes::asked() && {
-  std::erase_if(meshes_, [](const auto& known) { return !known.second.asked; });
-  for (auto& [key, known] : meshes_) known.asked = false;
+  meshes_.keep_asked();
   return std::move(*this);
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <tuple>
 
 #include "server/scene/mesh_import.h"
 #include "server/worker/assets.h"
+#include "server/worker/known.h"
 
 namespace metamer::worker {
 
@@ -24,11 +24,7 @@ class KnownMeshes {
  private:
   /// Which bytes, and MeshUse.
   using Key = std::tuple<std::string, std::string, std::optional<double>, bool, bool>;
-  struct Known {
-    TriangleMesh mesh;
-    bool asked = false;
-  };
-  std::map<Key, Known> meshes_;
+  Known<Key, TriangleMesh> meshes_;
 };
 
 }  // namespace metamer::worker

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <string>
 
 #include "server/scene/environment/sky_picture.h"
 #include "server/worker/assets.h"
+#include "server/worker/known.h"
 
 namespace metamer::worker {
 
@@ -21,11 +21,7 @@ class KnownSkies {
   KnownSkies asked() &&;
 
  private:
-  struct Known {
-    std::shared_ptr<const ReadSky> sky;
-    bool asked = false;
-  };
-  std::map<std::string, Known> skies_;  ///< By their names and bytes.
+  Known<std::string, std::shared_ptr<const ReadSky>> skies_;  ///< By their names and bytes.
 };
 
 }  // namespace metamer::worker

@@ -19,20 +19,15 @@ TextureImport KnownTextures::reusing(TextureImport import, const AssetNames& nam
              const v1::Texture& texture, PictureUse use,
              const std::string& field) -> Result<TexturePicture> {
     const std::string key = key_of(texture, use, names);
-    auto known = pictures_.find(key);
-    if (known == pictures_.end()) {
-      auto picture = import(texture, use, field);
-      if (!picture) return picture;
-      known = pictures_.emplace(key, Known{*std::move(picture)}).first;
-    }
-    known->second.asked = true;
-    return known->second.picture;
+    if (const auto* known = pictures_.ask(key)) return *known;
+    return import(texture, use, field).map([&](auto&& picture) {
+      return pictures_.add(key, std::move(picture));
+    });
   };
 }
 
 KnownTextures KnownTextures::asked() && {
-  std::erase_if(pictures_, [](const auto& known) { return !known.second.asked; });
-  for (auto& [key, known] : pictures_) known.asked = false;
+  pictures_.keep_asked();
   return std::move(*this);
 }
 

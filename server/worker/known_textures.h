@@ -1,11 +1,10 @@
 #pragma once
 
-#include <map>
 #include <string>
-#include <utility>
 
 #include "server/scene/texture.h"
 #include "server/worker/assets.h"
+#include "server/worker/known.h"
 
 namespace metamer::worker {
 
@@ -21,11 +20,8 @@ class KnownTextures {
   KnownTextures asked() &&;
 
  private:
-  struct Known {
-    TexturePicture picture;
-    bool asked = false;
-  };
-  std::map<std::string, Known> pictures_;  ///< By what of the texture decides them, and the bytes.
+  /// By what of the texture decides them, and the bytes.
+  Known<std::string, TexturePicture> pictures_;
 };
 
 }  // namespace metamer::worker

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "common/wire/worker_exit.h"
+#include "server/service/executors/kept_environment.h"
 
 namespace metamer::service {
 
@@ -50,8 +51,8 @@ class Descriptor {
   int fd_;
 };
 
-/// What a worker gets of our own environment, which may hold anybody's secrets: what finds and
-/// steers GL drivers and the sanitizers of a build, and Metamer's own tests.
+/// What a worker gets of our own environment: what finds and steers GL drivers and the sanitizers
+/// of a build, and Metamer's own tests.
 std::vector<char*> worker_environment() {
   constexpr std::string_view kept[] = {"LD_LIBRARY_PATH=",
                                        "LIBGL_",
@@ -71,15 +72,7 @@ std::vector<char*> worker_environment() {
                                        "LSAN_OPTIONS=",
                                        "TSAN_OPTIONS=",
                                        "UBSAN_OPTIONS="};
-  std::vector<char*> environment;
-  for (char** variable = environ; *variable != nullptr; ++variable)
-    for (const std::string_view name : kept)
-      if (std::string_view(*variable).starts_with(name)) {
-        environment.push_back(*variable);
-        break;
-      }
-  environment.push_back(nullptr);
-  return environment;
+  return kept_environment(kept);
 }
 
 /// Runs the command with `socket` and `film` as its descriptors 3 and 4 and no others but stderr.

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "common/wire/worker_exit.h"
+#include "server/service/executors/kept_environment.h"
 
 namespace metamer::service {
 namespace {
@@ -39,21 +40,12 @@ struct Pipe {
   }
 };
 
-/// What finds Slurm's programs and its controller; the rest may hold anybody's secrets, and Slurm
-/// would hand it on to tasks.
+/// What finds Slurm's programs and its controller; Slurm would hand the rest on to tasks.
 std::vector<char*> command_environment() {
   constexpr std::string_view kept[] = {
       "PATH=",  "HOME=", "USER=",        "LOGNAME=", "LANG=", "SLURM_", "LD_LIBRARY_PATH=",
       "MUNGE_", "TZ=",   "METAMER_TEST_"};
-  std::vector<char*> environment;
-  for (char** variable = environ; *variable != nullptr; ++variable)
-    for (const std::string_view name : kept)
-      if (std::string_view(*variable).starts_with(name)) {
-        environment.push_back(*variable);
-        break;
-      }
-  environment.push_back(nullptr);
-  return environment;
+  return kept_environment(kept);
 }
 
 int spawn_command(std::vector<std::string> words, const Pipe& in, const Pipe& out, const Pipe& err,

@@ -78,6 +78,17 @@ class GltfText {
   std::string binary_;
 };
 
+inline const std::vector<float> corners = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+inline const std::vector<std::uint16_t> order = {0, 1, 2};
+
+/// One triangle in the plane z = 0.
+inline GltfText triangle() {
+  GltfText text;
+  const int positions = text.vec3(corners), indices = text.accessor(order, "SCALAR", 1);
+  text.node_of({{"attributes", {{"POSITION", positions}}}, {"indices", indices}});
+  return text;
+}
+
 /// A .gltf with the files that it may name.
 inline Result<MeshFile> gltf_of(const std::string& text,
                                 const std::map<std::string, std::string>& files = {}) {
