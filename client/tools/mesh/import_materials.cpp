@@ -10,6 +10,7 @@
 #include "common/mesh/obj/materials.h"
 #include "common/scene/files.h"
 #include "common/scene/limits.h"
+#include "common/scene/parts.h"
 
 namespace metamer::client {
 namespace {
@@ -110,21 +111,59 @@ std::string add_alpha(const GltfMaterial& from, const std::string& file, v1::Mat
   return cutoff > 1 ? ", and its alphaCutoff is brought to 1" : "";
 }
 
+/// Takes a part of a material back that a scene may not have, such as a scale of 1e30. Returns why,
+/// as words.
+template <class Check>
+std::string take_back(v1::Material& from, const char* part, const Check& check) {
+  Findings findings;
+  check(findings);
+  const std::vector<Problem> problems = findings.take();
+  if (problems.empty()) return "";
+  from.GetReflection()->ClearField(&from, v1::Material::descriptor()->FindFieldByName(part));
+  return problems.front().field + ": " + problems.front().message;
+}
+
+std::string add_colors(const GltfPicture& where, bool has_uvs, ImportedPictures& pictures,
+                       v1::Material& to, bool& has_alpha) {
+  const auto picture = pictures.picture(where, has_uvs);
+  if (!picture) return ", times a texture (" + picture.error().message + ")";
+  to.mutable_texture()->set_file(picture->file);
+  to.mutable_texture()->set_use(v1::Texture::RGB);
+  const std::string remarks = place(where, *to.mutable_texture());
+  const std::string fault = take_back(to, "texture", [&](Findings& findings) {
+    if (check_values(to.texture(), "texture", findings))
+      check_texture(to.texture(), "texture", findings);
+  });
+  has_alpha = picture->has_alpha && fault.empty();
+  return fault.empty() ? remarks : ", times a texture (" + fault + ")";
+}
+
+std::string add_normals(const GltfPicture& where, bool has_uvs, ImportedPictures& pictures,
+                        v1::Material& to) {
+  const auto left_out = [](const std::string& why) {
+    return ", and its normalTexture does not count (" + why + ")";
+  };
+  const auto picture = pictures.picture(where, has_uvs);
+  if (!picture) return left_out(picture.error().message);
+  if (!picture->has_colors) return left_out("it has no R, G and B");
+  v1::Map& normals = *to.mutable_normal_map();
+  normals.set_file(picture->file);
+  if (where.strength != 1) normals.set_strength(where.strength);
+  const std::string remarks = place(where, normals);
+  const std::string fault = take_back(to, "normal_map", [&](Findings& findings) {
+    if (check_values(normals, "normal_map", findings))
+      check_map(normals, MapUse::normals, "normal_map", findings);
+  });
+  return fault.empty() ? remarks : left_out(fault);
+}
+
 /// Returns what of them is left out.
-std::string add_pictures(const GltfMaterial& from, ImportedPictures& pictures, v1::Material& to) {
+std::string add_pictures(const GltfMaterial& from, bool has_uvs, ImportedPictures& pictures,
+                         v1::Material& to) {
   std::string remarks;
   bool has_alpha = false;
-  if (from.base_color_picture) {
-    const auto picture = pictures.picture(from.base_color_picture->image);
-    if (picture) {
-      to.mutable_texture()->set_file(picture->file);
-      to.mutable_texture()->set_use(v1::Texture::RGB);
-      remarks += place(*from.base_color_picture, *to.mutable_texture());
-      has_alpha = picture->has_alpha;
-    } else {
-      remarks += ", times a texture (" + picture.error().message + ")";
-    }
-  }
+  if (from.base_color_picture)
+    remarks += add_colors(*from.base_color_picture, has_uvs, pictures, to, has_alpha);
   const bool wants_alpha = from.alpha_mode == "MASK" || from.alpha_mode == "BLEND";
   if (wants_alpha && has_alpha)
     remarks += add_alpha(from, to.texture().file(), to);
@@ -132,15 +171,10 @@ std::string add_pictures(const GltfMaterial& from, ImportedPictures& pictures, v
     remarks += ", and its alphaMode " + from.alpha_mode + " does not count";
   else if (wants_alpha && from.base_alpha != 1)
     remarks += ", and the alpha of its base colour does not count";
-  if (!from.normal_picture) return remarks;
-  const auto picture = pictures.picture(from.normal_picture->image);
-  if (!picture || !picture->has_colors)
-    return remarks + ", and its normalTexture does not count (" +
-           (picture ? "it has no R, G and B" : picture.error().message) + ")";
-  v1::Map& normals = *to.mutable_normal_map();
-  normals.set_file(picture->file);
-  if (from.normal_picture->strength != 1) normals.set_strength(from.normal_picture->strength);
-  return remarks + place(*from.normal_picture, normals);
+  else if (!wants_alpha && !from.alpha_mode.empty() && from.alpha_mode != "OPAQUE")
+    remarks += ", and its alphaMode " + quoted(from.alpha_mode) + " is none";
+  if (from.normal_picture) remarks += add_normals(*from.normal_picture, has_uvs, pictures, to);
+  return remarks;
 }
 
 void add_library(const fs::path& file, FileMaterials& to) {
@@ -183,10 +217,11 @@ FileMaterials load_obj_materials(const fs::path& obj) {
   return result;
 }
 
-std::string fill(const FileMaterial& from, ImportedPictures& pictures, v1::Material& to) {
+std::string fill(const FileMaterial& from, bool has_uvs, ImportedPictures& pictures,
+                 v1::Material& to) {
   const Rgb base = within_gamut(from.base_color);
   std::string remarks = from.remarks;
-  if (from.gltf) remarks = add_pictures(*from.gltf, pictures, to) + remarks;
+  if (from.gltf) remarks = add_pictures(*from.gltf, has_uvs, pictures, to) + remarks;
   std::string said = "material " + quoted(from.name) + ": ";
   if (to.has_texture()) {
     said += "its colours are those of " + quoted(to.texture().file()) + factor_of(base, to);

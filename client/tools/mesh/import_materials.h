@@ -34,7 +34,8 @@ FileMaterials load_obj_materials(const std::filesystem::path& obj);
 
 /// Gives a material of a scene the colours of one of a file: reflectances that are seen so under
 /// D65 (reflectance_of_rgb), and a highlight by blinn_phong; of a glTF the pictures of its colours,
-/// normals and alpha. Returns what is to be said of it.
-std::string fill(const FileMaterial& from, ImportedPictures& pictures, v1::Material& to);
+/// normals and alpha, where its surface `has_uvs`. Returns what is to be said of it.
+std::string fill(const FileMaterial& from, bool has_uvs, ImportedPictures& pictures,
+                 v1::Material& to);
 
 }  // namespace metamer::client

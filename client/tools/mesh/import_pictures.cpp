@@ -75,10 +75,15 @@ ImportedPictures::ImportedPictures(const GltfScene& gltf, std::string mesh, fs::
   if (folder_.empty()) folder_ = ".";
 }
 
-Result<ImportedPictures::Picture> ImportedPictures::picture(std::size_t image) {
-  const auto known = known_.find(image);
+Result<ImportedPictures::Picture> ImportedPictures::picture(const GltfPicture& where,
+                                                            bool has_uvs) {
+  if (where.coordinate_set != 0)
+    return problem("it lies by TEXCOORD_" + std::to_string(where.coordinate_set) +
+                   ", and TEXCOORD_0 alone is read");
+  if (!has_uvs) return problem("not all of its surface has UVs");
+  const auto known = known_.find(where.image);
   if (known != known_.end()) return known->second;
-  return known_.emplace(image, find(gltf_.images[image])).first->second;
+  return known_.emplace(where.image, find(gltf_.images[where.image])).first->second;
 }
 
 Result<ImportedPictures::Picture> ImportedPictures::find(const GltfImage& image) {

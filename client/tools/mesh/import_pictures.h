@@ -27,8 +27,9 @@ class ImportedPictures {
     std::string file;  ///< Relative to the scene's folder.
     bool has_colors = false, has_alpha = false;
   };
-  /// Errors: what keeps the image from being one, as a sentence about it.
-  Result<Picture> picture(std::size_t image);
+  /// Of a surface whose every corner `has_uvs`. Errors: what keeps the image from being one, or
+  /// from lying there, as a sentence about it.
+  Result<Picture> picture(const GltfPicture& where, bool has_uvs);
 
   /// Those that have to be written, of what was asked for.
   std::vector<NewFile> take_files() { return std::move(files_); }

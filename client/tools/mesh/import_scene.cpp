@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -160,28 +161,39 @@ class Builder {
     std::vector<MeshPart> parts = facts_.parts;
     if (!named && parts.size() > 1) {
       result_.left_out.push_back("parts that no name tells apart: the file is one object");
-      parts = {{.object = parts.front().object, .material = parts.front().material, .part = {}}};
+      const bool have_uvs =
+          std::all_of(parts.begin(), parts.end(), [](const MeshPart& one) { return one.has_uvs; });
+      parts = {{.object = parts.front().object,
+                .material = parts.front().material,
+                .part = {},
+                .has_uvs = have_uvs}};
     }
     UniqueNames names;
+    std::map<std::string, bool> have_uvs;
+    const auto material_of = [](const MeshPart& part) {
+      return part.material.empty() ? "material" : part.material;
+    };
+    for (const MeshPart& part : parts)
+      have_uvs.try_emplace(material_of(part), true).first->second &= part.has_uvs;
     std::set<std::string> materials;
     for (const MeshPart& part : parts) {
-      const std::string material = part.material.empty() ? "material" : part.material;
+      const std::string material = material_of(part);
       v1::Object& object = *result_.message.add_object();
       object.set_name(names(part.object.empty() ? part.material : part.object, "object"));
       object.set_material(material);
       object.mutable_mesh()->set_file(file_);
       if (!part.part.empty()) object.mutable_mesh()->set_part(part.part);
-      if (materials.insert(material).second) add_material(material);
+      if (materials.insert(material).second) add_material(material, have_uvs[material]);
     }
   }
 
-  void add_material(const std::string& name) {
+  void add_material(const std::string& name, bool has_uvs) {
     v1::Material& to = *result_.message.add_material();
     to.set_name(name);
     const auto from = std::find_if(materials_.materials.begin(), materials_.materials.end(),
                                    [&](const FileMaterial& one) { return one.name == name; });
     if (from != materials_.materials.end()) {
-      result_.left_out.push_back(fill(*from, pictures_, to));
+      result_.left_out.push_back(fill(*from, has_uvs, pictures_, to));
       return;
     }
     to.mutable_diffuse()->set_constant(no_color);

@@ -38,13 +38,28 @@ void name_parts(std::vector<MeshPart>& parts) {
         part.part = name;
 }
 
+bool have_uvs(const MeshFile& mesh, const MeshPiece& piece) {
+  const auto first = mesh.triangles.begin() + static_cast<std::ptrdiff_t>(piece.first_triangle);
+  return !mesh.uvs.empty() &&
+         std::all_of(first, first + static_cast<std::ptrdiff_t>(piece.triangles),
+                     [&](const Triangle& triangle) {
+                       return std::all_of(triangle.begin(), triangle.end(), [&](auto corner) {
+                         return std::isfinite(mesh.uvs[corner][0]);
+                       });
+                     });
+}
+
 std::vector<MeshPart> parts_of(const MeshFile& mesh) {
   std::vector<MeshPart> parts;
   std::map<std::pair<std::string, std::string>, std::size_t> places;
   for (const MeshPiece& piece : mesh.pieces) {
     const auto [place, added] = places.try_emplace({piece.object, piece.material}, parts.size());
-    if (added) parts.push_back({.object = piece.object, .material = piece.material, .part = {}});
-    parts[place->second].triangles += piece.triangles;
+    if (added)
+      parts.push_back(
+          {.object = piece.object, .material = piece.material, .part = {}, .has_uvs = true});
+    MeshPart& part = parts[place->second];
+    part.triangles += piece.triangles;
+    part.has_uvs = part.has_uvs && have_uvs(mesh, piece);
   }
   name_parts(parts);
   return parts;

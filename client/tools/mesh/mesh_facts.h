@@ -17,6 +17,7 @@ struct MeshPart {
   /// What a scene's `part` says for them alone: the material, else the object, else both. Empty: no
   /// name tells them from others, or nothing else is there.
   std::string part;
+  bool has_uvs = false;  ///< All corners of its triangles.
 };
 
 struct MeshFacts {

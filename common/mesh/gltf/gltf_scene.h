@@ -36,8 +36,9 @@ struct GltfPicture {
   std::size_t image;  ///< Index into GltfScene::images.
   Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
   std::array<double, 2> scale = {1, 1}, offset = {0, 0};
-  double rotation = 0;  ///< Degrees, from u towards v.
-  double strength = 1;  ///< Of normals.
+  double rotation = 0;               ///< Degrees, from u towards v.
+  double strength = 1;               ///< Of normals.
+  std::uint64_t coordinate_set = 0;  ///< TEXCOORD_n; a MeshFile has those of 0.
 };
 
 struct GltfMaterial {
@@ -46,7 +47,7 @@ struct GltfMaterial {
   bool is_textured, is_metallic;
   std::optional<GltfPicture> base_color_picture = {}, normal_picture = {};
   double base_alpha = 1;
-  std::string alpha_mode = {};  ///< "MASK", "BLEND"; else it is opaque.
+  std::string alpha_mode = {};  ///< "MASK", "BLEND", "OPAQUE" or none of them.
   double alpha_cutoff = 0.5;    ///< Of MASK.
   /// What else counts of it: "emissiveFactor", "KHR_materials_transmission", each once.
   std::vector<std::string> left_out = {};

@@ -43,8 +43,9 @@ std::optional<GltfPicture> Pictures::of(const Value& info) {
   const auto source = texture["source"].index(root["images"].size());
   const std::uint64_t set =
       transform["texCoord"].whole(1u << 16, info["texCoord"].whole(1u << 16, 0));
-  if (!source || set != 0) return std::nullopt;
-  GltfPicture picture{.image = image(*source), .strength = info["scale"].number(1)};
+  if (!source) return std::nullopt;
+  GltfPicture picture{
+      .image = image(*source), .strength = info["scale"].number(1), .coordinate_set = set};
   if (const auto sampler = texture["sampler"].index(root["samplers"].size())) {
     picture.wrap_u = wrap_of(root["samplers"][*sampler]["wrapS"]);
     picture.wrap_v = wrap_of(root["samplers"][*sampler]["wrapT"]);

@@ -198,6 +198,41 @@ TEST(ImportPictures, WhatIsNoPictureIsToldAndItsBaseColourStandsForIt) {
             std::string::npos);
 }
 
+TEST(ImportPictures, OneThatASceneCannotHaveIsToldAndTheSceneRenders) {
+  const auto with = [](const char* name, const nlohmann::json& value) {
+    nlohmann::json color = base_color;
+    color["baseColorTexture"][name] = value;
+    return nlohmann::json{{"pbrMetallicRoughness", color}};
+  };
+  const nlohmann::json huge = {{"KHR_texture_transform", {{"scale", {1e30, 1}}}}};
+  nlohmann::json bland = with("index", 0);
+  bland["alphaMode"] = "BLAND";
+  GltfText bare = textured(with("index", 0), {{"uri", "x.png"}});
+  bare.json["meshes"][0]["primitives"][0]["attributes"].erase("TEXCOORD_0");
+  GltfText partly = textured(with("index", 0), {{"uri", "x.png"}});
+  nlohmann::json without = partly.json["meshes"][0]["primitives"][0];
+  without["attributes"].erase("TEXCOORD_0");
+  partly.json["meshes"][0]["primitives"].push_back(without);
+  const struct {
+    GltfText text;
+    bool textured;
+    const char* said;
+  } cases[] = {
+      {textured(with("extensions", huge), {{"uri", "x.png"}}), false, "times a texture (texture."},
+      {textured(with("texCoord", 1), {{"uri", "x.png"}}), false, "it lies by TEXCOORD_1"},
+      {textured(bland, {{"uri", "x.png"}}), true, "its alphaMode \"BLAND\" is none"},
+      {bare, false, "not all of its surface has UVs"},
+      {partly, false, "not all of its surface has UVs"}};
+  for (const auto& one : cases) {
+    const TemporaryFolder folder;
+    folder.write("x.png", rgb_png);
+    const ImportedScene scene = imported_of(one.text, folder);
+    EXPECT_NE(sentence(scene).find(one.said), std::string::npos) << sentence(scene);
+    EXPECT_EQ(scene.message.material(0).has_texture(), one.textured);
+    EXPECT_NE(scene.message.material(0).has_diffuse(), one.textured);
+  }
+}
+
 TEST(ImportPictures, ViewsThatOverlapDoNotFillADisk) {
   // A hundred images of the same large bytes.
   GltfText text = textured({{"pbrMetallicRoughness", base_color}}, {{"bufferView", 2}});
