@@ -73,7 +73,7 @@ void declare_overrides(Overrides& overrides, Options& options) {
   add("--threads", &overrides.threads, "0: as many as the server has");
   add("--tile-size", &overrides.tile_size, "pixels, a multiple of 8");
   std::string light_meaning =
-      "give a light another spectrum, *: all but those that are named after it; ";
+      "give a light another spectrum, *: all but skies and those that are named after it; ";
   light_meaning += light_words;  // GCC 12 warns wrongly of a sum of the two (its bug 105329).
   add("--light", &overrides.lights, light_meaning);
   options.back().type = "NAME=SPECTRUM";

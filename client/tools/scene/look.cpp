@@ -26,8 +26,14 @@ tl::unexpected<Problem> unknown_name(const char* kind, const std::string& name,
   return tl::unexpected(std::move(wrong));
 }
 
+/// Its spectra are not one that can be put in another's place.
+bool is_sky(const v1::Light& light) { return light.environment().has_sky(); }
+
 Result<void> apply(const LightChange& change, v1::Scene& scene, std::vector<Replaced>& replaced) {
   const v1::LookLight& to = change.light;
+  // A spectrum for all lights is for those that can have one, where there are any.
+  const bool passes_skies = to.name() == "*" && to.has_spectrum() &&
+                            !std::all_of(scene.light().begin(), scene.light().end(), is_sky);
   bool found = false;
   std::vector<std::string> names;
   for (int i = 0; i < scene.light_size(); ++i) {
@@ -36,7 +42,7 @@ Result<void> apply(const LightChange& change, v1::Scene& scene, std::vector<Repl
     if (to.name() != "*" && to.name() != light.name()) continue;
     found = true;
     const std::string field = "light[" + std::to_string(i) + "].";
-    if (to.has_spectrum()) {
+    if (to.has_spectrum() && !(passes_skies && is_sky(light))) {
       *light.mutable_spectrum() = to.spectrum();
       replaced.push_back({field + "spectrum", change.by, {}, place_of(change.from, "spectrum")});
       if (!change.file.empty())

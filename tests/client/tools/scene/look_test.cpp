@@ -131,6 +131,26 @@ TEST(Look, GivesLightsOtherSpectra) {
   EXPECT_EQ(unknown.error().message, "no light named \"sin\"; did you mean \"sun\"?");
 }
 
+TEST(Look, ASpectrumForAllLightsPassesOverASkyUnlessThereIsNothingElse) {
+  Look look;
+  look.lights.push_back({.light = {}, .by = "all"});
+  look.lights.back().light.set_name("*");
+  look.lights.back().light.mutable_spectrum()->set_standard("A");
+  look.lights.back().light.set_luminance(0.5);
+  const std::string sky = "light { name: 'sky' environment { sky {} } }";
+  v1::Scene scene = scene_from(sky + " light { name: 'sun' }");
+  ASSERT_TRUE(apply(look, scene));
+  EXPECT_FALSE(scene.light(0).has_spectrum());
+  EXPECT_EQ(scene.light(0).luminance(), 0.5);
+  EXPECT_EQ(scene.light(1).spectrum().standard(), "A");
+
+  scene = scene_from(sky);
+  const auto replaced = apply(look, scene);
+  ASSERT_TRUE(replaced);
+  EXPECT_TRUE(scene.light(0).has_spectrum());  // What is wrong there is the option's.
+  EXPECT_EQ(replaced_by(*replaced, "light[0].spectrum"), "all");
+}
+
 TEST(Look, AFieldBelongsToWhatReplacedItOrWhatItLiesIn) {
   const std::vector<Replaced> replaced = {{"settings.method", "--samples"}, {"settings.spp", "S"}};
   EXPECT_EQ(replaced_by(replaced, "settings.method.point.wavelengths[3]"), "--samples");
