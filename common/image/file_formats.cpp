@@ -8,10 +8,17 @@
 namespace metamer {
 namespace {
 
-Result<const FileFormats*> load() {
+/// Beside the program, as it is built, or in the folder that an install has for it.
+std::filesystem::path module_file() {
   std::error_code error;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-  const auto file = program.parent_path() / "metamer-file-formats.so";
+  const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  const auto beside = folder / "metamer-file-formats.so";
+  const auto installed = folder.parent_path() / "lib/metamer/metamer-file-formats.so";
+  return !exists(beside, error) && exists(installed, error) ? installed : beside;
+}
+
+Result<const FileFormats*> load() {
+  const auto file = module_file();
   void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   const auto functions =
       module

@@ -7,8 +7,8 @@
 namespace metamer {
 
 /// What needs OpenImageIO, whose 260 libraries take half a second to load: a module beside the
-/// programs, metamer-file-formats.so, which is loaded when a function of it is first called. All
-/// else does without it: PNG and EXR are written and read by their own libraries.
+/// programs or in ../lib/metamer, metamer-file-formats.so, which is loaded when a function of it is
+/// first called. All else does without it: PNG and EXR are written and read by their own libraries.
 struct FileFormats {
   decltype(&metamer::false_color) false_color;
   decltype(&metamer::draw_labels) draw_labels;

@@ -12,8 +12,26 @@ trap end EXIT
 fail() { echo "FAILED: $*"; exit 1; }
 
 prefix=$scratch/usr
-cmake --install "$build" --component service --prefix "$prefix" > "$scratch/installed" || fail "cmake --install"
-for file in bin/metamer bin/metamerd bin/metamer-worker bin/metamer-file-formats.so etc/metamer/metamerd.toml \
+# What there is of components: the window and Python where they are built.
+components="daemon worker cli formats"
+[ ! -x "$build/bin/metamer-gui" ] || components="$components gui"
+[ ! -e "$build/python/built" ] || components="$components python"
+for component in $components; do
+  cmake --install "$build" --component "$component" --prefix "$scratch/$component" > "$scratch/installed" ||
+    fail "cmake --install --component $component"
+  # Each is a Debian package: a file is of exactly one, or they don't go side by side.
+  (cd "$scratch/$component" && find . ! -type d) >> "$scratch/files"
+  mkdir -p "$prefix" && cp -a "$scratch/$component/." "$prefix"
+done
+twice=$(sort "$scratch/files" | uniq -d)
+[ -z "$twice" ] || fail "files of several components: $twice"
+# And nothing is installed that is of none.
+loose=$(grep -rl --include=cmake_install.cmake 'CMAKE_INSTALL_COMPONENT STREQUAL "Unspecified"' "$build")
+[ -z "$loose" ] || fail "installed, but of no component: $loose"
+
+rm -r "$prefix/lib/systemd" "$prefix/etc"  # they name the places of one component
+cmake --install "$build" --component daemon --prefix "$prefix" > "$scratch/installed" || fail "cmake --install"
+for file in bin/metamer bin/metamerd bin/metamer-worker lib/metamer/metamer-file-formats.so etc/metamer/metamerd.toml \
     lib/systemd/system/metamerd.service lib/systemd/system/metamerd.socket lib/sysusers.d/metamer.conf \
     lib/tmpfiles.d/metamer.conf share/man/man1/metamer.1 share/man/man8/metamerd.8 share/man/man5/metamerd.toml.5; do
   [ -s "$prefix/$file" ] || fail "$file is not installed"
@@ -22,7 +40,7 @@ grep -rq '@BINDIR@\|@CONFIG@' "$prefix/lib/systemd" && fail "the unit has a plac
 
 # What an administrator has written stays.
 echo '# mine' >> "$prefix/etc/metamer/metamerd.toml"
-cmake --install "$build" --component service --prefix "$prefix" > /dev/null || fail "a second cmake --install"
+cmake --install "$build" --component daemon --prefix "$prefix" > /dev/null || fail "a second cmake --install"
 tail -1 "$prefix/etc/metamer/metamerd.toml" | grep -q '# mine' || fail "an install overwrites metamerd.toml"
 
 config=$prefix/etc/metamer/metamerd.toml
