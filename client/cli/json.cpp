@@ -13,9 +13,16 @@ namespace {
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 
+/// Digests and the ids that are shorter; no others are for people.
 Json bytes_json(const std::string& bytes) {
-  const auto digest = digest_from_bytes(bytes);
-  return digest ? Json(to_hex(*digest)) : Json(nullptr);
+  if (bytes.empty() || bytes.size() > std::tuple_size_v<Digest>) return nullptr;
+  constexpr const char* digits = "0123456789abcdef";
+  std::string text;
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    text += {digits[byte >> 4], digits[byte & 15]};
+  }
+  return text;
 }
 
 /// Singular, or element `i` of a repeated field.

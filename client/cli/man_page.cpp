@@ -28,7 +28,7 @@ sends scenes to a
 .BR metamerd (8)
 and takes pictures from it. Without
 .B \-\-server
-or METAMER_SERVER the commands render, check, bench and tradeoff start a private one; models, spectra, relight and
+or METAMER_SERVER the commands render, turntable, sweep, check, bench and tradeoff start a private one; models, spectra, relight and
 compare need none; the others need one that runs.
 .B metamer
 .I COMMAND

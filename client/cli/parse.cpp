@@ -13,10 +13,10 @@ namespace {
 
 /// Under every --help.
 const char* const footer =
-    "Without --server (or METAMER_SERVER), render, check, bench and tradeoff start a private "
-    "server\n"
-    "and end it again; models, spectra, relight and compare need none; the other commands need "
-    "one.\n"
+    "Without --server (or METAMER_SERVER), render, turntable, sweep, check, bench and tradeoff start "
+    "a\n"
+    "private server and end it again; models, spectra, relight and compare need none; the other\n"
+    "commands need one.\n"
     "\n"
     "Exit codes: 0 done, 2 bad input or usage, 3 no server, 4 job failed, 5 cancelled, 6 the\n"
     "picture is less accurate or slower than --tolerance or --deadline asked for, 1 otherwise\n"

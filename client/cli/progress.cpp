@@ -34,14 +34,19 @@ int terminal_columns() {
 }  // namespace
 
 std::string bar(const v1::Progress& progress, int columns) {
-  const std::string tail =
-      formatted("  %3u %%  ", percent(progress)) +
+  return bar(
+      percent(progress),
       (is_check(progress) ? std::string("verified") : rate(progress.rays(), progress.seconds())) +
-      "  " + clock(progress.seconds_left()) + " left";
+          "  " + clock(progress.seconds_left()) + " left",
+      columns);
+}
+
+std::string bar(unsigned percent, const std::string& words, int columns) {
+  const std::string tail = formatted("  %3u %%  ", percent) + words;
   constexpr int widest = 40;  // the rest of a wide terminal would only make the eye travel
   const int width = std::min(columns - static_cast<int>(tail.size()) - 3, widest);
   if (width < 5) return tail.substr(2, static_cast<std::size_t>(std::max(columns - 1, 0)));
-  const auto filled = static_cast<std::size_t>(width) * percent(progress) / 100;
+  const auto filled = static_cast<std::size_t>(width) * percent / 100;
   return '[' + std::string(filled, '#') +
          std::string(static_cast<std::size_t>(width) - filled, '-') + ']' + tail;
 }
@@ -64,6 +69,14 @@ void ProgressView::line(const std::string& text) {
 void ProgressView::draw(const std::string& bar) {
   std::cerr << "\r\033[K" << bar << std::flush;
   drawn_ = true;
+}
+
+void ProgressView::show(double share, const std::string& words) {
+  const auto percent = static_cast<unsigned>(100 * std::clamp(share, 0.0, 1.0));
+  if (terminal_) return draw(bar(percent, words, terminal_columns()));
+  if (percent / 10 <= tenths_ || percent >= 100) return;
+  tenths_ = percent / 10;
+  line(formatted("%u %%, ", percent) + words);
 }
 
 void ProgressView::show_progress(const v1::Progress& progress) {

@@ -5,19 +5,25 @@
 
 namespace metamer::cli {
 
+bool check_factors(const Session& session, const CheckedScene& scene, bool keep_factors,
+                   Report& report) {
+  if (!keep_factors || has_feature(session.welcome().capabilities(),
+                                   scene.scene().settings().backend(), Feature::factors))
+    return true;
+  report.problem({.field = {},
+                  .file = {},
+                  .message = "--keep-factors and --exr spectral need what the cpu backend keeps "
+                             "of each pixel: leave --backend gl out"},
+                 {});
+  return false;
+}
+
 boost::asio::awaitable<tl::expected<std::uint64_t, ExitCode>> send_scene(Session& session,
                                                                          const CheckedScene& scene,
                                                                          bool keep_factors,
                                                                          Report& report) {
-  if (keep_factors && !has_feature(session.welcome().capabilities(),
-                                   scene.scene().settings().backend(), Feature::factors)) {
-    report.problem({.field = {},
-                    .file = {},
-                    .message = "--keep-factors and --exr spectral need what the cpu backend keeps "
-                               "of each pixel: leave --backend gl out"},
-                   {});
+  if (!check_factors(session, scene, keep_factors, report))
     co_return tl::unexpected(ExitCode::bad_input);
-  }
   Submission submission = make_submission(scene.scene(), scene.assets(), scene.name(), false);
   submission.request.set_keep_factors(keep_factors);
   Answer<std::uint64_t> job_id = co_await session.submit(submission);

@@ -39,6 +39,14 @@ void declare_job(std::string& job, Options& options) {
                      .required = true});
 }
 
+void declare_jobs(std::string& job, Options& options) {
+  options.push_back({.names = "job",
+                     .target = &job,
+                     .meaning = "the job: its handle, such as 7@3f9c2a1b, or its number; or a "
+                                "series of jobs, such as series:3f9c2a1b, or series: and its name",
+                     .required = true});
+}
+
 void declare_overrides(Overrides& overrides, Options& options) {
   const std::string group = "In place of the scene's settings";
   const auto add = [&](const char* name, Target target, const std::string& meaning) {

@@ -76,6 +76,8 @@ void declare_common(CommonOptions& common, Options& options);
 void declare_scene(std::string& scene, Options& options);
 /// A handle or a number, for with_job.
 void declare_job(std::string& job, Options& options);
+/// The same, or a series, for with_jobs.
+void declare_jobs(std::string& job, Options& options);
 void declare_overrides(Overrides& overrides, Options& options);
 void declare_development(DevelopmentOptions& development, const std::string& group,
                          Options& options);

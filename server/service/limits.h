@@ -30,7 +30,11 @@ inline constexpr double most_unkept_seconds = 10;
 /// Bytes of Submit.client_key: two digests.
 inline constexpr std::size_t max_client_key = 64;
 inline constexpr std::size_t max_job_name = 200;  ///< Bytes; it is for people.
-inline constexpr std::size_t max_reason = 200;    ///< Bytes in a summary; the event has it all.
+/// Bytes of a Series' id, exactly, of its name and of a label; and how many jobs it may have.
+inline constexpr std::size_t series_id_bytes = 16;
+inline constexpr std::size_t max_series_text = 256;
+inline constexpr std::uint32_t max_series_jobs = 100'000;
+inline constexpr std::size_t max_reason = 200;  ///< Bytes in a summary; the event has it all.
 /// Sessions at a time: each costs a descriptor and some 20 KiB while it is silent.
 inline constexpr std::size_t max_sessions = 1000;
 /// Beyond these, for the first session of each known user and the first four of admins.

@@ -1,7 +1,6 @@
 #include "client/cli/commands.h"
 #include "client/cli/named_job.h"
 #include "client/cli/shared_options.h"
-#include "client/tools/text/job_text.h"
 
 namespace metamer::cli {
 namespace {
@@ -12,26 +11,23 @@ struct PriorityOptions {
   double priority = 0;  ///< A whole number, by its range.
 };
 
-boost::asio::awaitable<ExitCode> prioritize(Session& session, std::uint64_t job_id,
+boost::asio::awaitable<ExitCode> prioritize(Session& session, const NamedJobs& jobs,
                                             std::int32_t priority, Report& report) {
-  const Answer<v1::JobSummary> job = co_await session.prioritize(job_id, priority);
-  if (!job) co_return report.session_error(job.error());
-  report.document()["job"] = job_json(*job, session);
-  report.line(describe(*job, server_digits(session.welcome())));
-  co_return ExitCode::done;
+  const JobOrder order = [&](std::uint64_t id) { return session.prioritize(id, priority); };
+  co_return co_await order_each(session, jobs, order, report);
 }
 
 ExitCode run(const PriorityOptions& options) {
   Report report(options.common.json);
   const auto priority = static_cast<std::int32_t>(options.priority);
-  return report.finish(
-      with_job(options.common, options.job, report, [&](Session& session, std::uint64_t job_id) {
-        return prioritize(session, job_id, priority, report);
-      }));
+  const JobsWork work = [&](Session& session, const NamedJobs& jobs) {
+    return prioritize(session, jobs, priority, report);
+  };
+  return report.finish(with_jobs(options.common, {options.job}, report, work));
 }
 
 void declare(PriorityOptions& values, Options& options) {
-  declare_job(values.job, options);
+  declare_jobs(values.job, options);
   options.push_back({.names = "priority",
                      .target = &values.priority,
                      .meaning = "-100 to 100: higher is first among one's own jobs",

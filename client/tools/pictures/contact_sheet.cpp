@@ -1,6 +1,7 @@
 #include "client/tools/pictures/contact_sheet.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "client/tools/text/formatted.h"
 #include "common/color/srgb.h"
@@ -55,6 +56,7 @@ void place_map(const Image& map, double scale, int left, int top, Image& sheet) 
 }
 
 std::string difference_text(const SheetCell& cell, bool is_reference) {
+  if (!cell.title.empty()) return cell.note;
   if (is_reference) return {};
   if (!cell.difference) return "no dE00: the light is dark";
   if (cell.difference->count == 0) return "no pixel differs";
@@ -65,12 +67,14 @@ std::string difference_text(const SheetCell& cell, bool is_reference) {
 struct Layout {
   /// Error: it is too large.
   static Result<Layout> of(const Sheet& sheet) {
-    const Image& first = sheet.cells.front().picture;
-    Layout layout{.picture_width = first.width,
-                  .picture_height = first.height,
-                  .map_height = sheet.maps ? first.height + gap / 2 : 0};
+    Layout layout;
+    for (const SheetCell& cell : sheet.cells) {
+      layout.picture_width = std::max(layout.picture_width, cell.picture.width);
+      layout.picture_height = std::max(layout.picture_height, cell.picture.height);
+    }
+    layout.map_height = sheet.maps ? layout.picture_height + gap / 2 : 0;
     const std::size_t columns = sheet.lights.size(), rows = sheet.candidates.size();
-    const double width = static_cast<double>(columns) * (first.width + gap) + gap;
+    const double width = static_cast<double>(columns) * (layout.picture_width + gap) + gap;
     const double height = static_cast<double>(rows) * layout.row_height(1) + line + gap +
                           (sheet.maps ? legend_height : 0);
     if (width * height * 3 > static_cast<double>(max_image_values))
@@ -92,8 +96,8 @@ struct Layout {
     return picture_height + (row == 0 ? 0 : map_height) + 2 * line + gap;
   }
 
-  int picture_width, picture_height;
-  int map_height;  ///< With the gap above it; 0: there are none.
+  int picture_width = 0, picture_height = 0;
+  int map_height = 0;  ///< With the gap above it; 0: there are none.
   int width = 0, height = 0;
 };
 
@@ -177,8 +181,11 @@ Result<Image> contact_sheet(const Sheet& sheet) {
                         .grey = grey});
     };
     if (r == 0) label(-gap / 2, sheet.lights[c], ink);
-    label(label_height, sheet.candidates[r], c == 0 ? ink : faint_ink);
-    place(cell.picture, left, top + line, image);
+    if (cell.title.empty())
+      label(label_height, sheet.candidates[r], c == 0 ? ink : faint_ink);
+    else
+      label(label_height, cell.title, ink);
+    if (!cell.picture.pixels.empty()) place(cell.picture, left, top + line, image);
     if (!cell.map.pixels.empty() && sheet.maps)
       place_map(cell.map, scale, left, top + line + layout.map_height, image);
     label(layout.row_height(r) - gap - line + label_height + 3, difference_text(cell, r == 0), ink);
@@ -187,6 +194,22 @@ Result<Image> contact_sheet(const Sheet& sheet) {
   if (auto drawn = draw_labels(image, labels); !drawn)
     return tl::unexpected(std::move(drawn.error()));
   return image;
+}
+
+Result<Image> picture_grid(std::vector<SheetCell> cells) {
+  Sheet sheet;
+  const auto drawn = std::find_if(cells.begin(), cells.end(), [](const SheetCell& cell) {
+    return !cell.picture.pixels.empty();
+  });
+  if (drawn == cells.end()) return problem("a sheet without a picture");
+  const double shape = static_cast<double>(drawn->picture.height) / drawn->picture.width;
+  const auto count = static_cast<double>(cells.size());
+  const auto columns = std::clamp<std::size_t>(
+      static_cast<std::size_t>(std::lround(std::ceil(std::sqrt(count * shape)))), 1, cells.size());
+  sheet.lights.resize(columns);
+  sheet.candidates.resize((cells.size() + columns - 1) / columns);
+  sheet.cells = std::move(cells);
+  return contact_sheet(sheet);
 }
 
 }  // namespace metamer::client

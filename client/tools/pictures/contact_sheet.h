@@ -18,14 +18,20 @@ struct SheetCell {
   std::optional<ErrorStatistics> difference = {};
   double share = 0;  ///< How many these are of all.
   Image map = {};    ///< Where they are, as map_for_sheet makes it; of the reference nothing.
+  std::string title = {}, note = {};  ///< Of a cell of picture_grid: above and below it.
 };
 
 struct Sheet {
   std::vector<std::string> lights;      ///< Headings of the columns, at least one.
   std::vector<std::string> candidates;  ///< Of the rows, the first of which is the reference.
-  std::vector<SheetCell> cells;         ///< Row by row; pictures of one size.
+  std::vector<SheetCell> cells;         ///< Row by row; as large as the largest of their pictures.
   bool maps = false;                    ///< Below each picture but the reference stands its map.
 };
+
+/// Pictures that have their own titles, as many side by side as make the sheet about as wide as it
+/// is high; a cell without a picture has its words alone. Errors: those of contact_sheet; there is
+/// no picture at all.
+Result<Image> picture_grid(std::vector<SheetCell> cells);
 
 /// Puts a cell's difference down: of the pixels that differ, by 0.005 at least.
 void set_difference(const Difference& difference, SheetCell& cell);

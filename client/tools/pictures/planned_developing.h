@@ -17,4 +17,7 @@ struct PlannedDeveloping {
 /// Error: the server planned a space that there can't be.
 Result<PlannedDeveloping> planned_developing(const v1::Plan& plan);
 
+/// The picture (X Y Z) as it is to be shown, adapted, and nothing else.
+Image adapted(Image picture, const Developing& developing);
+
 }  // namespace metamer::client

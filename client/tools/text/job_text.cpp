@@ -156,7 +156,9 @@ std::string describe(const v1::JobSummary& job, const std::string& server) {
   const bool says =
       (job.state() == v1::FAILED || job.state() == v1::RUNNING) && !job.reason().empty();
   const std::string reason = says ? "  (" + printable(job.reason()) + ")" : "";
-  return text.data() + user + "  " + printable(job.name()) + reason;
+  const std::string label =
+      job.series().label().empty() ? "" : ", " + printable(job.series().label());
+  return text.data() + user + "  " + printable(job.name()) + label + reason;
 }
 
 std::string waiting_text(const v1::JobSummary& job) {

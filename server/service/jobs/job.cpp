@@ -42,6 +42,7 @@ v1::JobSummary Job::summary() const {
   summary.set_picture_bytes(picture_bytes());
   summary.set_submitted_at(submitted_at_);
   summary.set_reason(shortened(reason_, max_reason));
+  if (submit_.has_series()) *summary.mutable_series() = submit_.series();
   return summary;
 }
 

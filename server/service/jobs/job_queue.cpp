@@ -64,6 +64,8 @@ tl::expected<JobQueue::JobPtr, Refusal> JobQueue::submit(v1::Submit submit, Asse
   }
   if (auto in_range = check_priority(submit.priority()); !in_range)
     return tl::unexpected(in_range.error());
+  if (submit.has_series() && submit.priority() == 0)
+    submit.set_priority(series_priority(submit, owner));
   ++counts_.submitted;
   auto job = std::make_shared<Job>(next_id_++, std::move(submit), std::move(assets),
                                    queued() + running(), std::move(owner));
@@ -75,6 +77,16 @@ tl::expected<JobQueue::JobPtr, Refusal> JobQueue::submit(v1::Submit submit, Asse
     job->keep_in(*store_);
   }
   return job;
+}
+
+/// That of the newest job of the same series that has not ended: who ranked a series meant those of
+/// its jobs, too, that were still to come.
+std::int32_t JobQueue::series_priority(const v1::Submit& submit, const AccountPtr& owner) const {
+  for (auto job = live_.rbegin(); job != live_.rend(); ++job)
+    if (job->second->owner() == owner &&
+        job->second->submit().series().id() == submit.series().id())
+      return job->second->submit().priority();
+  return 0;
 }
 
 void JobQueue::add(const JobPtr& job) {

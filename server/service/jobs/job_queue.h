@@ -128,6 +128,7 @@ class JobQueue {
   std::uint64_t paused_bytes() const;
 
   JobPtr find_same(const v1::Submit& submit, const AccountPtr& owner) const;
+  std::int32_t series_priority(const v1::Submit& submit, const AccountPtr& owner) const;
   void add(const JobPtr& job);
 
   std::uint64_t keep_bytes_;

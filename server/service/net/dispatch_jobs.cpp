@@ -11,20 +11,44 @@ tl::unexpected<Refusal> no_such_job(std::uint64_t id) {
   return refuse(v1::Error::NOT_FOUND, "there is no job " + std::to_string(id));
 }
 
+tl::unexpected<Refusal> too_long(const char* what, std::size_t bytes, std::size_t most) {
+  return refuse(v1::Error::LIMIT, std::string(what) + " of " + std::to_string(bytes) +
+                                      " bytes is over the limit of " + std::to_string(most));
+}
+
+/// What is said of a series is for people and for clients; it only has to be small and to make
+/// sense.
+tl::expected<void, Refusal> check_series(const v1::Series& series) {
+  if (series.id().size() != series_id_bytes)
+    return refuse(v1::Error::LIMIT, "a series' id has " + std::to_string(series_id_bytes) +
+                                        " bytes, not " + std::to_string(series.id().size()));
+  for (const std::string* text : {&series.name(), &series.label()})
+    if (text->size() > max_series_text)
+      return too_long(text == &series.name() ? "a series' name" : "the label of a series' job",
+                      text->size(), max_series_text);
+  if (series.count() > max_series_jobs)
+    return refuse(v1::Error::LIMIT, "a series of " + std::to_string(series.count()) +
+                                        " jobs is over the limit of " +
+                                        std::to_string(max_series_jobs));
+  if (series.index() >= series.count())
+    return refuse(v1::Error::LIMIT, "a series of " + std::to_string(series.count()) +
+                                        " has no job of index " + std::to_string(series.index()));
+  return {};
+}
+
+tl::expected<void, Refusal> check_texts(const v1::Submit& submit) {
+  if (submit.name().size() > max_job_name)
+    return too_long("a job's name", submit.name().size(), max_job_name);
+  if (submit.client_key().size() > max_client_key)
+    return too_long("a key", submit.client_key().size(), max_client_key);
+  return submit.has_series() ? check_series(submit.series()) : tl::expected<void, Refusal>();
+}
+
 }  // namespace
 
 asio::awaitable<Dispatch::Answer> Dispatch::submit(v1::Submit submit) {
   if (context_.closing) co_return refuse(v1::Error::CLOSING, "the server ends and takes no jobs");
-  if (submit.name().size() > max_job_name) {
-    co_return refuse(v1::Error::LIMIT, "a job's name of " + std::to_string(submit.name().size()) +
-                                           " bytes is over the limit of " +
-                                           std::to_string(max_job_name));
-  }
-  if (submit.client_key().size() > max_client_key) {
-    co_return refuse(v1::Error::LIMIT, "a key of " + std::to_string(submit.client_key().size()) +
-                                           " bytes is over the limit of " +
-                                           std::to_string(max_client_key));
-  }
+  if (auto fits = check_texts(submit); !fits) co_return tl::unexpected(fits.error());
   auto assets = hold(submit.scene_sha256(), submit.asset(), submit.backend());
   if (!assets) co_return tl::unexpected(assets.error());
   auto job = context_.queue.submit(std::move(submit), *std::move(assets), account_);

@@ -88,6 +88,43 @@ TEST(NamedJob, ByWordsThatAreNoneIsAnErrorWithoutAServer) {
   }
 }
 
+TEST(NamedJob, MayBeASeriesWhereSeveralAreTaken) {
+  Server answers;
+  FakeServer server([&](const v1::Envelope& request) {
+    std::vector<v1::Envelope> said = answers(request);
+    if (!request.has_list_jobs()) return said;
+    // Of its three jobs the first has ended.
+    v1::JobList& list = *said[0].mutable_job_list();
+    list.clear_job();
+    for (std::uint64_t id = 1; id <= 3; ++id) {
+      v1::JobSummary& job = *list.add_job();
+      job.set_job_id(id);
+      job.set_state(id == 1 ? v1::FINISHED : v1::QUEUED);
+      job.mutable_series()->set_id(std::string(16, 's'));
+      job.mutable_series()->set_name("three");
+      job.mutable_series()->set_count(3);
+      job.mutable_series()->set_index(static_cast<std::uint32_t>(id - 1));
+    }
+    return said;
+  });
+  server.beside([&](const std::string& address) {
+    for (Words words : commands_on("series:73737373")) {
+      answers.asked.clear();
+      words.insert(words.end(), {"--server", address});
+      const Said said = say(words);
+      const bool takes_one = words[0] == "watch" || words[0] == "fetch";
+      EXPECT_EQ(said.code, takes_one ? ExitCode::bad_input : ExitCode::done)
+          << words[0] << ": " << said.err;
+      const std::size_t others = words.size() == 5 && words[0] == "cancel" ? 1 : 0;
+      EXPECT_EQ(answers.asked.size(), takes_one ? 0 : 1 + 2 + others) << words[0];
+    }
+    const auto paused = say({"pause", "series:three", "--json", "--server", address}).json();
+    EXPECT_EQ(paused["jobs"].size(), 2u);
+    EXPECT_EQ(say({"pause", "series:four", "--server", address}).err,
+              "error: no series \"four\" has jobs that are listed here\n");
+  });
+}
+
 TEST(NamedJob, IsListedAsItIsNamed) {
   Server answers;
   FakeServer server([&](const v1::Envelope& request) { return answers(request); });

@@ -20,11 +20,7 @@ void RelightSheet::add(const RelitPicture& picture) {
   Image shown = picture.image;
   if (const auto planned = client::planned_developing(picture.plan)) {
     developing_ = planned->developing;
-    for (std::size_t i = 0; i < shown.pixels.size(); i += 3) {
-      const Xyz adapted = multiply(developing_.adaptation,
-                                   Xyz{shown.pixels[i], shown.pixels[i + 1], shown.pixels[i + 2]});
-      for (std::size_t c = 0; c < 3; ++c) shown.pixels[i + c] = static_cast<float>(adapted[c]);
-    }
+    shown = client::adapted(std::move(shown), developing_);
   }
   cell.picture = client::for_sheet(shown);
   if (picture.material == 0)

@@ -110,5 +110,22 @@ TEST(Ramp, GetsEverLighter) {
   EXPECT_NEAR(before, 1, 1e-9);
 }
 
+TEST(PictureGrid, IsAboutAsWideAsHighAndTakesPicturesOfAnySize) {
+  std::vector<SheetCell> cells(5);
+  for (std::size_t i = 0; i < 4; ++i) {
+    cells[i].picture = make_image(360, i == 3 ? 270 : 240, {"X", "Y", "Z"});
+    cells[i].title = "a";
+  }
+  cells[4].title = "one that failed";
+  const Result<Image> grid = picture_grid(cells);
+  ASSERT_TRUE(grid) << grid.error().message;
+  // Two columns of 360 and 12 around each; three rows of 270.
+  EXPECT_EQ(grid->width, 12 + 2 * (360 + 12));
+  EXPECT_GT(grid->height, 3 * 270);
+  EXPECT_LT(grid->height, 3 * (270 + 2 * 20 + 12) + 40);
+  EXPECT_FALSE(picture_grid({}));
+  EXPECT_FALSE(picture_grid({cells[4]}));
+}
+
 }  // namespace
 }  // namespace metamer::client

@@ -190,6 +190,22 @@ TEST_F(JobQueueTest, ALongListComesInControlMessages) {
   EXPECT_EQ(queue.list(0, [](const Job& job) { return job.id() == 7; }).job(0).job_id(), 7u);
 }
 
+TEST_F(JobQueueTest, LaterJobsOfASeriesHaveThePriorityThatItWasGiven) {
+  JobQueue queue(1 << 20, 1);
+  v1::Submit submit;
+  submit.mutable_series()->set_id(std::string(series_id_bytes, 's'));
+  const auto first = queue.submit(submit, AssetHolds(*store_)).value();
+  ASSERT_TRUE(queue.prioritize(*first, 7));
+  const auto second = queue.submit(submit, AssetHolds(*store_)).value();
+  EXPECT_EQ(second->summary().priority(), 7);
+  submit.set_priority(-3);
+  EXPECT_EQ(queue.submit(submit, AssetHolds(*store_)).value()->summary().priority(), -3);
+  const auto other = std::make_shared<Account>(Account{.name = "uid 1000"});
+  submit.set_priority(0);
+  EXPECT_EQ(queue.submit(submit, AssetHolds(*store_), other).value()->summary().priority(), 0);
+  EXPECT_EQ(queue.submit({}, AssetHolds(*store_)).value()->summary().priority(), 0);
+}
+
 TEST_F(JobQueueTest, PrioritiesBeyondTheirRangeAreRefused) {
   JobQueue queue(1 << 20, 1);
   const auto job = queue.submit(v1::Submit(), AssetHolds(*store_)).value();

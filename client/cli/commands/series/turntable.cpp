@@ -1,0 +1,209 @@
+// A camera that goes around a scene: a picture a frame.
+#include <set>
+
+#include "client/cli/commands.h"
+#include "client/cli/commands/series/follow_series.h"
+#include "client/cli/commands/series/series_sheet.h"
+#include "client/cli/output/output.h"
+#include "client/cli/scene_input.h"
+#include "client/cli/send_scene.h"
+#include "client/cli/shared_options.h"
+#include "client/tools/pictures/save_pictures.h"
+#include "client/tools/scene/camera_motion.h"
+#include "client/tools/series/frame_name.h"
+#include "client/tools/text/formatted.h"
+#include "common/scene/settings.h"
+
+namespace metamer::cli {
+namespace {
+
+using client::formatted;
+using client::FrameName;
+
+struct TurntableOptions {
+  CommonOptions common;
+  std::string scene;
+  std::string frames;
+  std::uint32_t per_turn = 360;
+  std::string sheet;
+  Overrides overrides;
+  OutputOptions output;
+};
+
+/// The options, understood.
+struct Turntable {
+  const TurntableOptions& options;
+  std::vector<std::uint32_t> frames;
+  std::vector<FrameName> names;
+
+  OutputOptions output_of(std::uint32_t frame) const {
+    OutputOptions output = options.output;
+    output.files.clear();
+    for (const FrameName& name : names) output.files.push_back(name.of(frame));
+    return output;
+  }
+  /// Turned by whole turns it is where it was.
+  v1::Scene scene_of(std::uint32_t frame, const v1::Scene& scene) const {
+    v1::Scene turned = scene;
+    const double degrees = 360.0 * (frame % options.per_turn) / options.per_turn;
+    if (degrees != 0) *turned.mutable_camera() = client::orbit(scene.camera(), degrees);
+    return turned;
+  }
+};
+
+/// Nothing: the options make no sense, which is said.
+std::optional<Turntable> understand(const TurntableOptions& options, Report& report) {
+  Turntable made{.options = options, .frames = {}, .names = {}};
+  bool good = true;
+  const auto refuse = [&](const char* option, const std::string& why) {
+    report.error(std::string(option) + ": " + why);
+    good = false;
+  };
+  if (auto frames = client::parse_frames(options.frames))
+    made.frames = std::move(*frames);
+  else
+    refuse("--frames", frames.error().message);
+  for (const std::string& pattern : options.output.files) {
+    if (auto name = FrameName::parse(pattern))
+      made.names.push_back(std::move(*name));
+    else
+      refuse("--output", name.error().message);
+  }
+  if (!options.sheet.empty()) {
+    std::string wrong = client::objection(options.sheet, client::FileContent::picture);
+    if (wrong.empty() && client::is_exr(options.sheet))
+      wrong = quoted(options.sheet) + " is no .png";
+    if (!wrong.empty()) refuse("--sheet", wrong);
+  }
+  if (!good || check_output(made.output_of(made.frames.front()), report) != ExitCode::done)
+    return std::nullopt;
+  return made;
+}
+
+/// How to make a movie of the frames; empty: there is none to make.
+std::string movie_hint(const Turntable& turntable, const v1::Settings& settings) {
+  const auto png =
+      std::find_if(turntable.names.begin(), turntable.names.end(),
+                   [](const FrameName& name) { return !client::is_exr(name.pattern()); });
+  if (turntable.frames.size() < 2 || png == turntable.names.end()) return {};
+  const auto in_quotes = [](const std::string& words) {
+    std::string text = "'";
+    for (const char c : words) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+  };
+  const bool gapless = turntable.frames[1] == turntable.frames[0] + 1;
+  std::string command = "ffmpeg -framerate 24 ";
+  command +=
+      gapless ? formatted("-start_number %u -i ", turntable.frames[0]) + in_quotes(png->pattern())
+              : "-pattern_type glob -i " + in_quotes(png->glob());
+  // H.264's usual colours come in squares of two pixels.
+  if (settings.width() % 2 != 0 || settings.height() % 2 != 0)
+    command += " -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2'";
+  return command + " -pix_fmt yuv420p turntable.mp4";
+}
+
+/// What became of one frame, for --json.
+Json frame_json(const Turntable& turntable, const SeriesPart& part) {
+  Json json = {{"frame", turntable.frames[part.index]}};
+  if (!part.failure.empty()) json["failure"] = part.failure;
+  if (!part.record) return json;
+  json["handle"] = to_text(part.record->job);
+  if (part.record->last.has_finished()) {
+    json["timing"] = to_json(part.record->last.finished().timing());
+    json["record"] = to_json(part.record->last.finished().record());
+    json["files"] = turntable.output_of(turntable.frames[part.index]).files;
+  }
+  return json;
+}
+
+boost::asio::awaitable<ExitCode> turn_on(Session& session, Interrupts& interrupts,
+                                         const Turntable& turntable, const CheckedScene& scene,
+                                         Report& report) {
+  const JobParts parts = wanted(turntable.options.output);
+  if (!check_factors(session, scene, parts == JobParts::picture_and_factors, report))
+    co_return ExitCode::bad_input;
+  const auto count = static_cast<std::uint32_t>(turntable.frames.size());
+  SeriesPlan plan{
+      .jobs = {client::series_id(), scene.name() + ", turntable", count, parts},
+      .noun = "frames",
+      .make = [&](std::uint32_t index) -> Result<Submission> {
+        return client::make_submission(turntable.scene_of(turntable.frames[index], scene.scene()),
+                                       scene.assets(), scene.name(), false);
+      },
+      .label = [&](std::uint32_t index) { return formatted("frame %u", turntable.frames[index]); }};
+  SeriesSheet sheet(turntable.options.sheet, count);
+  ExitCode written = ExitCode::done;
+  bool noted = false;
+  report.document()["frames"] = Json::array();
+  const TakePart take = [&](SeriesPart part, ProgressView& view) {
+    report.document()["frames"].push_back(frame_json(turntable, part));
+    const bool done = part.failure.empty();
+    sheet.add(part.index, part.label, done ? &*part.record : nullptr,
+              done ? std::string() : "failed");
+    if (!done) return;
+    view.clear();
+    // What is to be said of the scene is the same of each of its frames.
+    if (!std::exchange(noted, true))
+      for (const v1::Notice& notice : part.record->plan->notice())
+        report_notice(scene, notice, report);
+    const ExitCode code = write_output(turntable.output_of(turntable.frames[part.index]),
+                                       *part.record, scene.name(), report);
+    if (code != ExitCode::done) written = code;
+  };
+  const ExitCode ended = co_await follow_series(session, interrupts, plan, take, report);
+  if (ended == ExitCode::no_server || ended == ExitCode::cancelled) co_return ended;
+  if (const ExitCode code = sheet.write(report); code != ExitCode::done) written = code;
+  if (const std::string hint = movie_hint(turntable, with_defaults(scene.scene().settings()));
+      !hint.empty()) {
+    report.document()["movie"] = hint;
+    report.line("a movie: " + hint);
+  }
+  co_return ended == ExitCode::done ? written : ended;
+}
+
+ExitCode run(const TurntableOptions& options) {
+  Report report(options.common.json);
+  const auto turntable = understand(options, report);
+  if (!turntable) return report.finish(ExitCode::bad_input);
+  const auto scene = load_scene(options.scene, options.overrides, report);
+  if (!scene) return report.finish(ExitCode::bad_input);
+  const InterruptibleWork work = [&](Session& session, Interrupts& interrupts) {
+    return turn_on(session, interrupts, *turntable, *scene, report);
+  };
+  return report.finish(with_any_server(options.common, report, work));
+}
+
+void declare(TurntableOptions& values, Options& options) {
+  declare_scene(values.scene, options);
+  options.push_back({.names = "--frames",
+                     .target = &values.frames,
+                     .meaning = "which frames, such as 0:359 or, by a step, 0:350:10",
+                     .type = "FIRST:LAST[:STEP]",
+                     .required = true});
+  options.push_back({.names = "--count",
+                     .target = &values.per_turn,
+                     .meaning = "frames of a whole turn, counter-clockwise as seen from above",
+                     .shows_default = true,
+                     .range = {{1, 1'000'000}}});
+  declare_picture_files(values.output, options);
+  for (Option& option : options)
+    if (option.names == "-o,--output")
+      option.meaning =
+          "a .png or .exr a frame, with a place for its number: frames/booth-%04d.png; may be "
+          "given "
+          "several times";
+  options.push_back({.names = "--sheet",
+                     .target = &values.sheet,
+                     .meaning = "a .png of the frames side by side; of more than 100 some"});
+  declare_overrides(values.overrides, options);
+  declare_common(values.common, options);
+}
+
+}  // namespace
+
+Command commands::turntable() {
+  return make_command<TurntableOptions>(
+      "turntable", "render a scene from all around, a picture a frame", declare, run);
+}
+
+}  // namespace metamer::cli
