@@ -78,6 +78,8 @@ ExitCode conclude(const JobRecord& job, const CheckedScene* scene, Report& repor
     case v1::JobEvent::kFinished:
       document["state"] = "finished";
       document["timing"] = to_json(job.last.finished().timing());
+      if (job.last.finished().has_record())
+        document["record"] = to_json(job.last.finished().record());
       return conclude_promise(job, report);
     case v1::JobEvent::kFailed:
       document["state"] = "failed";

@@ -13,7 +13,8 @@ namespace {
 
 /// Under every --help.
 const char* const footer =
-    "Without --server (or METAMER_SERVER), render, turntable, sweep, check, bench and tradeoff start "
+    "Without --server (or METAMER_SERVER), render, turntable, sweep, check, bench and tradeoff "
+    "start "
     "a\n"
     "private server and end it again; models, spectra, relight and compare need none; the other\n"
     "commands need one.\n"

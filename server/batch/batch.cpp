@@ -1,12 +1,10 @@
 #include "server/batch/batch.h"
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <string>
 
+#include "common/program/machine.h"
 #include "common/wire/batch_file.h"
 #include "common/wire/worker_program.h"
 #include "server/batch/task.h"
@@ -20,20 +18,18 @@ int fail_batch(const std::string& message) {
 }
 
 std::string node_name() {
-  char name[65] = {};
-  (void)::gethostname(name, sizeof name - 1);
   // Several nodes of a test are one machine.
   const char* const slurm = std::getenv("SLURMD_NODENAME");
-  return slurm ? slurm : name;
+  return slurm ? slurm : host_name();
 }
 
-/// As the system says it; empty where it does not.
-std::string cpu_name() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (const auto colon = line.find(": "); line.starts_with("model name") && colon != line.npos)
-      return line.substr(colon + 2);
-  return {};
+/// What the worker has said of its part, by the node's own name.
+void move_record(v1::BatchResult& result) {
+  if (!result.done().has_record()) return;
+  *result.mutable_record() = std::move(*result.mutable_done()->mutable_record());
+  result.mutable_done()->clear_record();
+  for (v1::MachineRecord& machine : *result.mutable_record()->mutable_machine())
+    machine.set_name(result.node());
 }
 
 v1::BatchResult carry_out(const v1::BatchOrder& order, const BatchOptions& options) {
@@ -62,7 +58,8 @@ int run_batch(const BatchOptions& options) {
   if (!order) return fail_batch(order.error().message);
   v1::BatchResult result = carry_out(*order, options);
   result.set_node(node_name());
-  result.set_cpu(cpu_name());
+  result.set_cpu(processor_name());
+  move_record(result);
   if (!result.lost().empty()) (void)fail_batch(result.lost());
   const auto written = wire::write_batch_file(order->result(), result);
   return written ? 0 : fail_batch(written.error().message);

@@ -27,6 +27,7 @@ Result<std::shared_ptr<const Geometry>> Device::geometry(const std::string& key,
   }
   // Make room before, not after: the GPU's memory may hold one large scene only.
   while (known_.size() >= most) known_.pop_back();
+  ++uploads_;
   auto geometry = Geometry::upload(scene, cancelled);
   if (!geometry && !known_.empty() && !cancelled) {
     known_.clear();

@@ -26,6 +26,8 @@ class Device {
   /// A scene's geometry, uploaded the first time; `key` names all that it depends on.
   Result<std::shared_ptr<const Geometry>> geometry(const std::string& key, const RenderScene& scene,
                                                    const std::atomic<bool>& cancelled);
+  /// How often one was uploaded.
+  std::size_t uploads() const { return uploads_; }
 
  private:
   struct Known {
@@ -40,6 +42,7 @@ class Device {
   v1::GlCapabilities capabilities_;
   ProgramCache programs_;
   std::list<Known> known_;  ///< Used last first.
+  std::size_t uploads_ = 0;
 };
 
 }  // namespace metamer::gl

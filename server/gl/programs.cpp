@@ -45,6 +45,7 @@ Result<std::shared_ptr<const Programs>> ProgramCache::get(const RenderScene& sce
                           (wanted.passes ? "passes " : "") + material_source(scene) +
                           light_source(scene);
   if (const auto found = known_.find(key); found != known_.end()) return found->second;
+  ++compiled_;
   auto compiled = compile_all(program_sources(scene, wanted));
   if (!compiled) return tl::unexpected(compiled.error());
   if (known_.size() >= most) known_.clear();

@@ -20,9 +20,12 @@ class ProgramCache {
  public:
   /// For the scene's models and no others. Errors: the compiler's words.
   Result<std::shared_ptr<const Programs>> get(const RenderScene& scene, Wanted wanted);
+  /// How often it had to compile.
+  std::size_t compiled() const { return compiled_; }
 
  private:
-  static constexpr std::size_t most = 32;                         ///< Then it begins anew.
+  static constexpr std::size_t most = 32;  ///< Then it begins anew.
+  std::size_t compiled_ = 0;
   std::map<std::string, std::shared_ptr<const Programs>> known_;  ///< By what they depend on.
 };
 

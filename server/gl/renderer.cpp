@@ -38,6 +38,7 @@ class Rasteriser : public Renderer {
                       const std::atomic<bool>& cancelled) override {
     end();
     const auto start = Clock::now();
+    const std::size_t uploads = device_.uploads(), compiled = device_.programs().compiled();
     if (!geometry_) {
       auto geometry = device_.geometry(key_, scene_, cancelled);
       if (!geometry) return tl::unexpected(geometry.error());
@@ -50,6 +51,8 @@ class Rasteriser : public Renderer {
     if (!passes) return tl::unexpected(passes.error());
     passes_.emplace(std::move(*passes));
     program_seconds_ += seconds_since(uploaded);
+    uploaded_ = uploaded_ || device_.uploads() != uploads;
+    compiled_ = compiled_ || device_.programs().compiled() != compiled;
     return {};
   }
 
@@ -88,6 +91,13 @@ class Rasteriser : public Renderer {
       time.set_seconds(passes_ ? passes_->clock().seconds(pass) : 0);
       time.set_gpu(device_.capabilities().timers());
     }
+  }
+
+  std::vector<std::string> warm() const override {
+    std::vector<std::string> found;
+    if (passes_ && !compiled_) found.push_back("programs");
+    if (geometry_ && !uploaded_) found.push_back("geometry");
+    return found;
   }
 
   std::unique_ptr<Probe> make_probe() override {
@@ -175,6 +185,7 @@ class Rasteriser : public Renderer {
   double region_seconds_ = 0;    ///< That went into it.
   double pixel_seconds_ = 1e-6;  ///< Of a sample, in the last region; first of a slow device.
   double upload_seconds_ = 0, program_seconds_ = 0;
+  bool uploaded_ = false, compiled_ = false;  ///< For this scene, not for an earlier one.
 };
 
 class Rasterising : public Backend {

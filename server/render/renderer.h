@@ -70,6 +70,9 @@ class Renderer {
   /// Adds what the building in change() took since the last time, and sets what drawing went into.
   virtual void report(v1::Timing& timing) = 0;
 
+  /// What of its building an earlier job had left: "programs", "geometry". After a change().
+  virtual std::vector<std::string> warm() const { return {}; }
+
   /// This scene for the choice of a method; belongs to the lane's thread, and ends before this.
   virtual std::unique_ptr<Probe> make_probe() = 0;
 };

@@ -39,6 +39,7 @@ double Job::since(Clock::time_point start) {
 }
 
 void Job::compile(const v1::CompileJob& message) {
+  const RunClock::Span span(run_clock_, Phase::compile);
   begun_ = Clock::now();
   messages_.preparing(v1::Preparing::READING);
 
@@ -58,7 +59,7 @@ void Job::compile(const v1::CompileJob& message) {
                              options_.textures(message.asset()), stopped_);
   });
   ++work_;
-  if (stopped_) return messages_.stopped();
+  if (stopped_) return messages_.stopped(record());
   if (!compiled) return messages_.failed(compiled.error());
   const CameraSpace space = CameraSpace::of(*compiled);
   const std::string key = geometry_key(objects_key(scene, *compiled, message.asset()), space);
@@ -76,7 +77,7 @@ void Job::compile(const v1::CompileJob& message) {
     keep_factors_ = messages_.factors(nullptr, scene_factors(*scene_).SerializeAsString());
 
   // Plan, and let the daemon decide.
-  if (!make_plan(message)) return messages_.stopped();
+  if (!make_plan(message)) return messages_.stopped(record());
   timing_.set_compile(since(begun_) - timing_.pilot() - timing_.prepare() - timing_.acceleration());
   planned_setup_ = timing_.acceleration() + timing_.prepare();
   messages_.planned(plan_);
@@ -86,7 +87,7 @@ void Job::compile(const v1::CompileJob& message) {
 /// False for a step that ends early: it has said why.
 bool Job::succeeds(const Result<void>& result) {
   if (stopped_) {
-    messages_.stopped();
+    messages_.stopped(record());
     return false;
   }
   if (!result) {
@@ -113,6 +114,7 @@ bool Job::make_plan(const v1::CompileJob& message) {
   if (looks && !build([&] { return probe_->prepare(stopped_); })) return false;
   messages_.preparing(v1::Preparing::PLANNING);
   if (looks) {
+    const RunClock::Span span(run_clock_, Phase::pilot);
     const auto start = Clock::now();
     const PilotScene pilot{*scene_, *probe_, settings_, capabilities, stopped_, work_};
     if (is_open) {
@@ -155,6 +157,7 @@ bool Job::plan_factors() {
   if (!keep_factors_ || plan_.depth() == 0) return true;
   if (!build([&] { return probe_->prepare(stopped_); })) return false;
   messages_.preparing(v1::Preparing::PLANNING);
+  const RunClock::Span span(run_clock_, Phase::pilot);
   const auto start = Clock::now();
   const FactorSize size = factor_size(*probe_, plan_, stopped_, work_);
   timing_.set_pilot(timing_.pilot() + since(start));
@@ -177,6 +180,7 @@ bool Job::plan_factors() {
 bool Job::plan_verification() {
   if (!build([&] { return probe_->prepare(stopped_); })) return false;
   messages_.preparing(v1::Preparing::PLANNING);
+  const RunClock::Span span(run_clock_, Phase::pilot);
   const auto start = Clock::now();
   const Capabilities capabilities = options_.plan_capabilities();
   plan_.set_verify_cost(metamer::verify_cost(
@@ -193,6 +197,7 @@ bool Job::plan_verification() {
 /// Builds a hierarchy while the views have their turns. False when stopped.
 bool Job::build(const std::function<bool()>& prepare) {
   if (!std::exchange(built_, true)) messages_.preparing(v1::Preparing::HIERARCHY);
+  const RunClock::Span span(run_clock_, Phase::acceleration);
   const auto start = Clock::now();
   bool built = false;
   view_turns_.serve_while([&] { built = prepare(); });
@@ -205,6 +210,7 @@ bool Job::build(const std::function<bool()>& prepare) {
 void Job::prepare_method() {
   if (method_) return;
   messages_.preparing(v1::Preparing::TABLES);
+  const RunClock::Span span(run_clock_, Phase::prepare);
   const auto start = Clock::now();
   method_ = make_method(plan_, *scene_);
   timing_.set_prepare(since(start));
@@ -215,6 +221,7 @@ void Job::prepare_method() {
 Result<void> Job::prepare() {
   if (prepared_) return {};
   if (!build([&] { return renderer_->prepare(stopped_); })) return {};  // stopped
+  const RunClock::Span span(run_clock_, Phase::prepare);
   const auto changed = renderer_->change(plan_, *method_, stopped_);
   prepared_ = changed.has_value();
   ++work_;

@@ -18,6 +18,7 @@
 #include "server/worker/assets.h"
 #include "server/worker/job_messages.h"
 #include "server/worker/link.h"
+#include "server/worker/run_clock.h"
 #include "server/worker/view_turns.h"
 
 namespace metamer::worker {
@@ -30,6 +31,7 @@ struct WorkerOptions {
   int film_descriptor = -1;                    ///< Shared memory, sized by the daemon.
   const import::Importer* importer = nullptr;  ///< Reads mesh files.
   TellDamage tell_damage = [](const std::string&) {};
+  v1::MachineRecord machine = {};  ///< For records: what it was found out before the sandbox.
 
   /// As plans see them.
   Capabilities plan_capabilities() const {
@@ -79,7 +81,7 @@ class Job {
   void stop() { stopped_ = true; }
 
   /// Says JobStopped for a job that is between two steps.
-  void send_stopped() { messages_.stopped(); }
+  void send_stopped() { messages_.stopped(record()); }
 
   std::uint64_t id() const { return messages_.id(); }
   bool stopped() const { return stopped_; }
@@ -103,8 +105,11 @@ class Job {
   void measure_promise(v1::JobDone& done);
   Result<void> verify(const Film& film, v1::JobDone& done);
   void take(const DrawnTile& drawn);
+  v1::RunRecord record();
 
   JobMessages messages_;
+  RunClock run_clock_;
+  std::atomic<std::uint32_t> tiles_drawn_ = 0;
   const WorkerOptions& options_;
   Work& work_;
   ViewTurns& view_turns_;

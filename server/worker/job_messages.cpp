@@ -73,9 +73,9 @@ void JobMessages::done(v1::JobDone done) {
   send_last(message);
 }
 
-void JobMessages::stopped() {
+void JobMessages::stopped(v1::RunRecord record) {
   v1::WorkerEnvelope message = envelope();
-  message.mutable_stopped();
+  *message.mutable_stopped()->mutable_record() = std::move(record);
   send_last(message);
 }
 

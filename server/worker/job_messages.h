@@ -34,7 +34,7 @@ class JobMessages {
 
   // The last.
   void done(v1::JobDone done);
-  void stopped();
+  void stopped(v1::RunRecord record);
   void failed(v1::Failed::Kind kind, const std::string& reason);
   void failed(const std::vector<Problem>& problems);
 

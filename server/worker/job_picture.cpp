@@ -1,4 +1,5 @@
 // The picture of a job: its tiles, and what came of the promise.
+#include "common/program/build_id.h"
 #include "server/film/factor_sink.h"
 #include "server/render/choose.h"
 #include "server/render/noise.h"
@@ -32,6 +33,7 @@ void Job::render(const v1::RenderTiles& message) {
   if (drawn && message.last() && !stopped_) drawn = conclude(picture, done);
   if (!succeeds(drawn)) return;
   *done.mutable_timing() = timing_;
+  *done.mutable_record() = record();
   done.set_setup(timing_.acceleration() + timing_.prepare() - planned_setup_);
   messages_.done(std::move(done));
 }
@@ -56,6 +58,7 @@ Result<void> Job::conclude(const Film& film, v1::JobDone& done) {
 
 /// By pixels that had no part in the choice.
 void Job::measure_promise(v1::JobDone& done) {
+  const RunClock::Span span(run_clock_, Phase::verify);
   const Capabilities capabilities = options_.plan_capabilities();
   if (!build([&] { return probe_->prepare(stopped_); })) return;  // stopped
   *done.mutable_accuracy() =
@@ -64,6 +67,7 @@ void Job::measure_promise(v1::JobDone& done) {
 
 /// By all pixels: the renderer draws the picture once more, by the reference.
 Result<void> Job::verify(const Film& film, v1::JobDone& done) {
+  const RunClock::Span span(run_clock_, Phase::verify);
   const auto start = Clock::now();
   Verification check(*scene_, plan_, film);
   prepared_ = false;  // it will know another method
@@ -98,6 +102,7 @@ Result<void> Job::draw(const v1::RenderTiles& message, const Film& film) {
                   .keep_factors = keep_factors_};
   for (const v1::TileRect& tile : message.tile())
     picture.tiles.push_back({tile.x(), tile.y(), tile.width(), tile.height()});
+  const RunClock::Span span(run_clock_, Phase::render);
   renderer_->begin(std::move(picture));
   auto drawn = draw_on();
   renderer_->report(timing_);
@@ -112,6 +117,7 @@ Result<void> Job::draw_on() {
     const auto whole = renderer_->draw({stopped_, is_over, work_});
     if (!whole) return tl::unexpected(whole.error());
     if (*whole || stopped_) break;
+    const RunClock::Span others(run_clock_, Phase::others);
     view_turns_.serve();
   }
   return {};
@@ -122,6 +128,21 @@ void Job::take(const DrawnTile& drawn) {
   if (drawn.factors && !too_many_factors_)
     too_many_factors_ = !messages_.factors(&drawn.rect, drawn.factors->SerializeAsString());
   messages_.tile(drawn.rect, drawn.rays);
+  ++tiles_drawn_;
+}
+
+/// What the job has come to in this process.
+v1::RunRecord Job::record() {
+  v1::RunRecord record;
+  record.set_build(build_id());
+  v1::MachineRecord& machine = *record.add_machine();
+  machine = options_.machine;
+  machine.set_threads(plan_.threads());
+  machine.set_tiles(tiles_drawn_);
+  run_clock_.report(record);
+  if (renderer_)
+    for (const std::string& one : renderer_->warm()) record.add_warm(one);
+  return record;
 }
 
 }  // namespace metamer::worker

@@ -14,6 +14,7 @@
 #include <string>
 #include <thread>
 
+#include "common/program/machine.h"
 #include "server/batch/batch.h"
 #include "server/cpu/renderer.h"
 #include "server/gl/renderer.h"
@@ -64,6 +65,17 @@ std::unique_ptr<metamer::gl::Device> open_device(const std::string& which,
   return std::make_unique<metamer::gl::Device>(std::move(*device));
 }
 
+/// What is known of this machine before it can't be read any more.
+metamer::v1::MachineRecord describe_machine(const metamer::Backend& backend) {
+  metamer::v1::MachineRecord machine;
+  machine.set_name(metamer::host_name());
+  machine.set_cpu(metamer::processor_name());
+  metamer::v1::Capabilities capabilities;
+  backend.describe(capabilities);
+  machine.set_gpu(capabilities.gl().renderer());
+  return machine;
+}
+
 /// Exit codes: 0 the daemon is gone, 1 this machine or this daemon can't run it, 2 usage.
 int run(metamer::worker::WorkerOptions options, const std::string& gl_device, bool unconfined) {
 #ifdef __AVX2__
@@ -96,6 +108,7 @@ int run(metamer::worker::WorkerOptions options, const std::string& gl_device, bo
     backend = metamer::gl::make_backend(*device, options.threads);
   }
   options.backend = backend.get();
+  options.machine = describe_machine(*backend);
   const metamer::sandbox::Confinement confinement =
       metamer::sandbox::enter(options.store, metamer::sandbox::open_devices(film_descriptor));
   if (!confinement.lacks.empty() && !unconfined) {

@@ -70,6 +70,38 @@ class ClusterTest : public testing::Test {
     EXPECT_GE(cluster_->workers().size(), count);
   }
 
+  /// A turntable of the booth, by the cluster and by this machine: the same frames, bit for bit.
+  void turn(int frames, const std::vector<std::string>& settings) {
+    const auto turned = [&](const Daemon& server, const std::string& name) {
+      std::vector<std::string> words = {
+          "turntable", METAMER_TEST_DATA "/../deploy/booth/booth.txtpb",
+          "--frames",  "0:" + std::to_string(frames - 1),
+          "--count",   std::to_string(frames),
+          "-o",        folder_ / (name + "-%d.exr"),
+          "--exr",     "xyz"};
+      words.insert(words.end(), settings.begin(), settings.end());
+      return server.json(words);
+    };
+    turned(Daemon(Daemon::Listens::unix_socket, {"--isa", "avx2"}), "here");
+    const auto server = daemon("0.05");
+    const Json answer = turned(*server, "there");
+    EXPECT_EQ(answer["series"]["done"], frames) << answer;
+    for (const Json& frame : answer["frames"]) {
+      const std::string number = std::to_string(frame["frame"].get<int>()) + ".exr";
+      expect_same_pixels(read_exr(folder_ / ("here-" + number)),
+                         read_exr(folder_ / ("there-" + number)), number);
+      // Each tile is some node's.
+      const Json record = server->json({"jobs", "--record", frame["handle"]});
+      std::uint64_t tiles = 0;
+      for (const Json& machine : record["record"]["machine"]) {
+        EXPECT_EQ(machine["name"].get<std::string>().front(), 'n') << machine;
+        tiles += machine["tiles"].get<std::uint64_t>();
+      }
+      EXPECT_GT(tiles, 0u);
+      EXPECT_EQ(record["record"], frame["record"]);
+    }
+  }
+
   Folder folder_;
   std::unique_ptr<Cluster> cluster_;
   int count_ = 0;
@@ -91,6 +123,14 @@ TEST_F(OnSlurm, TheBoothIsThatOfThisMachineBitForBit) {
   const auto server = daemon("0.05");
   const std::string job = submit(*server, booth, settings);
   expect_same_pixels(local, fetched(*server, job), "Slurm");
+}
+
+TEST_F(OnSlurm, ATurntablesFramesAreThoseOfThisMachineBitForBit) {
+  turn(4, {"--size", "64x48", "--spp", "1", "--tile-size", "16"});
+}
+
+TEST_F(LongOnSlurm, TwentyFramesOfATurntableAreThoseOfThisMachineBitForBit) {
+  turn(20, {"--size", "320x240", "--spp", "4"});
 }
 
 TEST_F(LongOnSlurm, ControllerThatIsKilledSoonAfterASubmissionLosesNothing) {

@@ -2,9 +2,11 @@
 #include "client/cli/connection.h"
 #include "client/cli/named_job.h"
 #include "client/cli/shared_options.h"
+#include "client/session/record_job.h"
 #include "client/tools/series/series_list.h"
 #include "client/tools/series/series_run.h"
 #include "client/tools/text/job_text.h"
+#include "client/tools/text/record_text.h"
 
 namespace metamer::cli {
 namespace {
@@ -14,6 +16,7 @@ struct JobsOptions {
   bool mine = false;
   bool why = false;
   std::optional<std::string> series;  ///< Empty: each is opened.
+  std::string record;                 ///< Of this job; empty: the list.
 };
 
 Json series_json(const ListedSeries& one) {
@@ -87,8 +90,41 @@ boost::asio::awaitable<ExitCode> list_jobs(Session& session, const JobsOptions& 
   co_return ExitCode::done;
 }
 
+/// What ran a job that has finished, and what it did.
+boost::asio::awaitable<ExitCode> show_record(Session& session, std::uint64_t job_id,
+                                             Report& report) {
+  const Answer<v1::JobList> list = co_await session.list();
+  if (!list) co_return report.session_error(list.error());
+  for (const v1::JobSummary& job : list->job()) {
+    if (job.job_id() != job_id || has_ended(job)) continue;
+    report.error("a job has its record once it has finished; this one is " +
+                 std::string(word(job.state())));
+    co_return ExitCode::bad_input;
+  }
+  const Answer<JobRecord> job = co_await record_job(session, job_id, JobParts::plan);
+  if (!job) co_return report.session_error(job.error());
+  if (!job->last.finished().has_record()) {
+    report.error(
+        "the job has no record: it did not finish, rendered nothing, or was rendered by a "
+        "server that keeps none");
+    co_return ExitCode::bad_input;
+  }
+  const v1::RunRecord& record = job->last.finished().record();
+  report.document()["handle"] = to_text(job->job);
+  report.document()["record"] = to_json(record);
+  report.document()["timing"] = to_json(job->last.finished().timing());
+  for (const std::string& line : record_lines(record)) report.line(line);
+  co_return ExitCode::done;
+}
+
 ExitCode run(const JobsOptions& options) {
   Report report(options.common.json);
+  if (!options.record.empty()) {
+    const JobWork work = [&](Session& session, std::uint64_t job_id) {
+      return show_record(session, job_id, report);
+    };
+    return report.finish(with_job(options.common, options.record, report, work));
+  }
   return report.finish(with_server(options.common, report, [&](Session& session) {
     return list_jobs(session, options, report);
   }));
@@ -106,6 +142,11 @@ void declare(JobsOptions& values, Options& options) {
                                 "name, no others",
                      .type = "[SERIES]",
                      .value_optional = true});
+  options.push_back({.names = "--record",
+                     .target = &values.record,
+                     .meaning = "no list, but what ran this finished job, and what it did: builds, "
+                                "machines, seconds by phase, rays",
+                     .type = "JOB"});
   declare_common(values.common, options);
 }
 

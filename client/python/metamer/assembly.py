@@ -25,7 +25,8 @@ class Assembly:
     def picture(self, job_id: int, finished: jobs_pb2.Finished) -> Picture:
         accuracy = finished.accuracy if finished.HasField("accuracy") else None
         factors = self._factors.finish() if self._factors else None
-        return Picture(job_id, self.film.xyz, self.plan, finished.timing, accuracy, factors)
+        record = finished.record if finished.HasField("record") else None
+        return Picture(job_id, self.film.xyz, self.plan, finished.timing, accuracy, factors, record)
 
 
 def finished_of(event: Event) -> jobs_pb2.Finished:

@@ -44,7 +44,8 @@ class Film:
 class Picture:
     """`xyz`: (height, width, 3) float32, Y = 1 is the luminance of a perfect white that faces a light of luminance 1.
     `accuracy`: of a job that promised or verified something, else None. `factors`: for relighting; None where they were
-    not kept, not asked for, or more than the server keeps."""
+    not kept, not asked for, or more than the server keeps. `record`: what rendered it, and how long each phase took of the
+    clock and of processors; None of a server that keeps none."""
 
     job_id: int
     xyz: np.ndarray
@@ -52,6 +53,7 @@ class Picture:
     timing: plan_pb2.Timing
     accuracy: plan_pb2.Accuracy | None = None
     factors: Factors | None = None
+    record: plan_pb2.RunRecord | None = None
 
     def srgb(self, exposure: float = 1.0) -> np.ndarray:
         """(height, width, 3) uint8; see metamer.srgb."""

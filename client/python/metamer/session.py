@@ -1,5 +1,6 @@
 """A session with a server, for asyncio: handshake, requests, jobs. Names are those of the wire and the command line."""
 import asyncio
+import math
 import os
 from collections.abc import AsyncIterator, Callable, Mapping, Sequence
 from contextlib import aclosing
@@ -15,7 +16,7 @@ from metamer.picture import Picture
 from metamer.reach import reach
 from metamer.scene import Asset, Scene, Submission, as_scene, make_submission
 from metamer.spectra import SceneSpectra, Spectrum
-from metamer.sweep import Value, variants
+from metamer.sweep import Value, shortened, variants
 from metamer.v1 import assets_pb2, factors_pb2, jobs_pb2, plan_pb2, session_pb2
 from metamer.view import View, open_view
 
@@ -115,7 +116,7 @@ class Session:
 
     async def submit(self, scene: SceneLike, *, name: str = "", check_only: bool = False, explain: bool = False,
                      keep_factors: bool = False, prepare: bool = False, priority: int = 0,
-                     client_key: bytes | None = None) -> int:
+                     client_key: bytes | None = None, series: jobs_pb2.Series | None = None) -> int:
         """Sends what the server lacks, then the job; gives its number. The options are those of jobs.proto's Submit. The
         same scene under the same `client_key` (16 to 32 bytes; None: random) is one job, however often it is sent:
         after Disconnected it can be sent again. InputError has all files that are wrong."""
@@ -124,7 +125,8 @@ class Session:
         request = jobs_pb2.Submit(
             name=name or submission.name, scene_sha256=submission.scene.sha256, asset=submission.names(),
             check_only=check_only, explain=explain, keep_factors=keep_factors, backend=submission.backend,
-            prepare=prepare, priority=priority, client_key=os.urandom(16) if client_key is None else client_key)
+            prepare=prepare, priority=priority, client_key=os.urandom(16) if client_key is None else client_key,
+            series=series)
         return (await self._ask(request, "submit", "submitted")).job_id
 
     async def watch(self, job: Job, from_sequence: int = 0, *, tiles: bool = True, previews: bool = False,
@@ -219,18 +221,23 @@ class Session:
                     measure: Callable[[Picture], Mapping[str, object]] | None = None, **options) -> list[dict[str, object]]:
         """Renders a scene with all combinations of values, by the paths of fields (see metamer.sweep). A row for each: the
         values, `job_id`, `seconds` of rendering, and what `measure` says of the picture. `options`: those of render().
-        The first that fails ends all."""
+        The first that fails ends all. To `metamer jobs` they are one series."""
         places = asyncio.Semaphore(_JOBS_AT_ONCE)
+        made = as_scene(scene)
+        count = math.prod(len(values) for values in parameters.values())
+        name, key = shortened(f"{options.get('name') or made.name}, sweep"), os.urandom(16)
 
-        async def row(values: dict[str, Value], variant: Scene) -> dict[str, object]:
+        async def row(index: int, values: dict[str, Value], variant: Scene) -> dict[str, object]:
+            label = shortened(" ".join(f"{path}={value}" for path, value in values.items()))
+            series = jobs_pb2.Series(id=key, name=name, index=index, count=count, label=label)
             async with places:
-                picture = await self.render(variant, **options)
+                picture = await self.render(variant, series=series, **options)
             measured = measure(picture) if measure else {}
             return {**values, "job_id": picture.job_id, "seconds": picture.timing.render, **measured}
 
         try:
             async with asyncio.TaskGroup() as group:
-                rows = [group.create_task(row(*made)) for made in variants(as_scene(scene), parameters)]
+                rows = [group.create_task(row(index, *one)) for index, one in enumerate(variants(made, parameters))]
         except ExceptionGroup as failed:
             raise failed.exceptions[0] from None
         return [task.result() for task in rows]

@@ -28,6 +28,11 @@ def variants(scene: Scene, parameters: Mapping[str, Sequence[Value]]) -> Iterato
         yield chosen, made
 
 
+def shortened(text: str, most: int = 256) -> str:
+    """At most so many bytes of UTF-8, as a Series takes them."""
+    return text.encode()[:most].decode(errors="ignore")
+
+
 def set_field(message: Message, path: str, value: Value) -> None:
     """InputError: there is no such field or element, or it can't have the value."""
     *way, last = path.split(".")

@@ -13,7 +13,7 @@ namespace metamer::client {
 struct ListedSeries {
   v1::Series series;  ///< As one of its jobs has it.
   std::string user;
-  v1::Backend backend = v1::BACKEND_UNSPECIFIED;
+  v1::Backend backend = v1::CPU;
   double age = 0;  ///< Seconds since the first of those that are listed was submitted.
   std::uint32_t queued = 0, running = 0, paused = 0, finished = 0, failed = 0, cancelled = 0;
   /// Jobs before the newest that are listed no more: a server keeps so many that have ended.

@@ -94,8 +94,10 @@ class Supervisor final : public Executor, public ViewHost {
   void on_verified(std::uint32_t tiles);
   void on_done(v1::JobDone done);
   void on_failed(v1::Failed failed);
-  void on_stopped();
-  void on_yielded();
+  void on_stopped(v1::RunRecord record);
+  void on_yielded(v1::RunRecord record);
+  /// What a worker that is lost can't say any more: which machine it was on.
+  v1::RunRecord record_of_lost() const;
 
   /// Asks for the next batch of missing tiles; false when none is missing.
   bool send_next_tiles();
@@ -157,6 +159,7 @@ class Supervisor final : public Executor, public ViewHost {
   std::string last_exit_;
   std::string obstacle_;  // why the worker that starts can't, in its own words
   std::string sandbox_;
+  v1::MachineRecord machine_;  // that its workers run on
   asio::steady_timer restart_;
   asio::steady_timer overdue_;
   Clock::time_point last_sign_;

@@ -101,7 +101,14 @@ void Supervisor::give_up() {
   fail_queue(last_exit_);
 }
 
+v1::RunRecord Supervisor::record_of_lost() const {
+  v1::RunRecord record;
+  *record.add_machine() = machine_;
+  return record;
+}
+
 void Supervisor::lose_job(const std::string& reason) {
+  job_->add_run(record_of_lost());
   if (job_->retry("the worker was lost: " + reason)) return queue_.put_back(job_);
   job_->fail(v1::Failed::WORKER,
              fmt::format("the worker was lost {} times: {}", max_losses, reason));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/program/machine.h"
 #include "server/service/executors/supervisor.h"
 #include "server/service/limits.h"
 
@@ -57,8 +58,10 @@ void Supervisor::on_message(v1::WorkerEnvelope message) {
   if (state_ == State::stopping) {
     // The plan was on its way when StopJob came; say it again to the worker that now waits.
     if (message.has_planned()) return send_stop();
-    const bool over = message.has_done() || message.has_failed() || message.has_stopped();
-    return over ? on_stopped() : void();
+    if (message.has_done()) return on_stopped(std::move(*message.mutable_done()->mutable_record()));
+    if (message.has_stopped())
+      return on_stopped(std::move(*message.mutable_stopped()->mutable_record()));
+    return message.has_failed() ? on_stopped({}) : void();
   }
   last_progress_ = last_sign_;
   if (message.has_preparing()) return on_preparing(message.preparing().stage());
@@ -69,7 +72,8 @@ void Supervisor::on_message(v1::WorkerEnvelope message) {
   if (message.has_tiles_verified()) return on_verified(message.tiles_verified().tiles());
   if (message.has_done()) return on_done(std::move(*message.mutable_done()));
   if (message.has_failed()) return on_failed(std::move(*message.mutable_failed()));
-  if (message.has_stopped() && yields_) return on_yielded();
+  if (message.has_stopped() && yields_)
+    return on_yielded(std::move(*message.mutable_stopped()->mutable_record()));
 }
 
 void Supervisor::on_ready(v1::WorkerReady ready) {
@@ -77,6 +81,11 @@ void Supervisor::on_ready(v1::WorkerReady ready) {
   start_was_tried_ = true;
   capabilities_ = std::move(*ready.mutable_capabilities());
   sandbox_ = ready.sandbox();
+  machine_.set_name(host_name());
+  machine_.set_cpu(processor_name());
+  if (backend() == v1::GL) machine_.set_gpu(capabilities_.gl().renderer());
+  machine_.set_isa(ready.isa());
+  machine_.set_lanes(ready.lanes());
   capabilities_signal_.cancel();
   state_ = State::idle;
   memory_ = MemoryLimit(worker_->pid());
@@ -282,8 +291,10 @@ void Supervisor::on_done(v1::JobDone done) {
     return distrust("said that a job is done which is not");
   }
   // A large picture goes out in several batches of tiles. A stop between two of them has no answer.
-  if (yields_ && job_->tiles_done() < job_->tiles().size()) return on_yielded();
+  if (yields_ && job_->tiles_done() < job_->tiles().size())
+    return on_yielded(std::move(*done.mutable_record()));
   if (send_next_tiles()) return;
+  job_->add_run(std::move(*done.mutable_record()));
   if (done.has_better() && job_->restart("the promise was broken", done.better())) {
     queue_.put_back(job_);
     return job_is_over();
@@ -298,9 +309,13 @@ void Supervisor::on_failed(v1::Failed failed) {
   job_is_over();
 }
 
-void Supervisor::on_stopped() { job_is_over(); }
+void Supervisor::on_stopped(v1::RunRecord record) {
+  job_->add_run(std::move(record));
+  job_is_over();
+}
 
-void Supervisor::on_yielded() {
+void Supervisor::on_yielded(v1::RunRecord record) {
+  job_->add_run(std::move(record));
   const std::string work = queue_.work_text(*job_);
   if (job_->yield(work.empty() ? "others have their turn" : work, queue_.queued()))
     queue_.put_back(job_);

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <utility>
 
+#include "common/program/build_id.h"
+#include "server/service/jobs/run_sum.h"
 #include "server/service/limits.h"
 #include "server/service/text.h"
 #include "server/service/wall_clock.h"
@@ -147,6 +149,11 @@ bool Job::resume(std::uint32_t ahead) {
   return true;
 }
 
+void Job::add_run(v1::RunRecord part, std::optional<std::uint32_t> tiles) {
+  metamer::service::add_run(std::move(part), tiles.value_or(attempt_tiles_), run_);
+  if (state_ == v1::PAUSED) put(false);
+}
+
 bool Job::finish(v1::JobDone done) {
   if (!take(Step::finish)) return false;
   v1::Timing& timing = *done.mutable_timing();
@@ -160,6 +167,11 @@ bool Job::finish(v1::JobDone done) {
   *event.mutable_finished()->mutable_timing() = std::move(timing);
   if (store_ && !scene_factors_.empty()) write_scene_factors();
   if (done.has_accuracy()) *event.mutable_finished()->mutable_accuracy() = done.accuracy();
+  if (run_.machine_size() > 0) {
+    balance_tiles(grid_.size(), run_);
+    run_.set_server_build(build_id());
+    *event.mutable_finished()->mutable_record() = run_;
+  }
   append_last(std::move(event));
   return true;
 }
@@ -194,6 +206,16 @@ bool Job::cancel() {
     store_->remove_tiles(id_);
   }
   return true;
+}
+
+void Job::prioritize(std::int32_t priority) {
+  submit_.set_priority(priority);
+  put(false);
+}
+
+void Job::spend(double seconds) {
+  worker_seconds_ += seconds;
+  if (worker_seconds_ - worker_seconds_put_ >= most_unkept_seconds) put(false);
 }
 
 std::uint64_t Job::picture_bytes() const {

@@ -106,8 +106,11 @@ class Job : public std::enable_shared_from_this<Job> {
   bool restart(const std::string& reason, const v1::Method& better);
   bool pause();
   bool resume(std::uint32_t ahead);
-  /// `done` as the last worker gives it; what spans several attempts (queued, render, total, rays)
-  /// is filled in here.
+  /// What an attempt that is over came to, as its worker or the task of a cluster says. `tiles`: of
+  /// it that are in the picture; nothing: all since the last start.
+  void add_run(v1::RunRecord part, std::optional<std::uint32_t> tiles = std::nullopt);
+  /// `done` as the last worker gives it, whose record was added; what spans several attempts
+  /// (queued, render, total, rays) is filled in here.
   bool finish(v1::JobDone done);
   bool fail(v1::Failed failed);
   bool fail(v1::Failed::Kind kind, std::string reason);
@@ -205,6 +208,7 @@ class Job : public std::enable_shared_from_this<Job> {
   std::size_t preview_watchers_ = 0;
 
   std::uint32_t losses_ = 0;  // workers lost
+  v1::RunRecord run_;         // of attempts that are over
   double worker_seconds_ = 0;
   double worker_seconds_put_ = 0;  // of them, those that were asked to be kept
   bool planned_ = false;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "server/service/jobs/job.h"
+#include "server/service/jobs/run_sum.h"
 #include "server/service/limits.h"
 #include "server/service/wall_clock.h"
 
@@ -35,6 +36,7 @@ Job::Job(v1::JobRecord record, AssetHolds assets, AccountPtr owner, JobStore& st
       owner_(std::move(owner)),
       state_(record.state()),
       losses_(record.losses()),
+      run_(std::move(*record.mutable_run())),
       worker_seconds_(record.worker_seconds()),
       restarted_(record.restarted()),
       rays_(record.rays()),
@@ -117,6 +119,7 @@ v1::JobRecord Job::record() const {
   record.set_build(build_);
   record.set_picture_bytes(on_disk_ ? on_disk_->size() : 0);
   record.set_worker_seconds(worker_seconds_);
+  if (run_.machine_size() > 0) *record.mutable_run() = run_;
   return record;
 }
 
@@ -161,16 +164,6 @@ void Job::keep_again() {
   if (!keep_again_ || !unkept_.empty()) return;
   if (losing_ && film_.ok()) write_all_tiles();
   put(false);
-}
-
-void Job::prioritize(std::int32_t priority) {
-  submit_.set_priority(priority);
-  put(false);
-}
-
-void Job::spend(double seconds) {
-  worker_seconds_ += seconds;
-  if (worker_seconds_ - worker_seconds_put_ >= most_unkept_seconds) put(false);
 }
 
 void Job::set_aside() {
@@ -219,6 +212,7 @@ void Job::void_tiles() {
   done_.assign(grid_.size(), false);
   tiles_done_ = 0;
   unseen_tiles_.clear();
+  forget_tiles(run_);
   if (!store_) return;
   on_disk_->forget();
   store_->cut_tiles(id_, on_disk_->size());
@@ -303,6 +297,7 @@ bool Job::go_on(const std::string& build, std::uint32_t ahead) {
   v1::JobEvent event;
   if (planned_ && (build != build_ || !found)) {
     void_tiles();
+    run_.Clear();  // of another program
     planned_ = false;
     log_.drop_pictures();
     event.mutable_retrying()->set_reason(found ? "the server was updated" : found.error().message);

@@ -125,6 +125,34 @@ TEST(NamedJob, MayBeASeriesWhereSeveralAreTaken) {
   });
 }
 
+TEST(NamedJob, HasItsRecordOnceItHasFinished) {
+  bool finished = false;
+  FakeServer server([&](const v1::Envelope& request) -> std::vector<v1::Envelope> {
+    v1::Envelope answer = test::welcome();
+    if (request.has_list_jobs()) {
+      v1::JobSummary& job = *answer.mutable_job_list()->add_job();
+      job.set_job_id(7);
+      job.set_state(finished ? v1::FINISHED : v1::RUNNING);
+    }
+    if (request.has_watch()) {
+      answer.mutable_job_event()->set_job_id(7);
+      v1::RunRecord& record = *answer.mutable_job_event()->mutable_finished()->mutable_record();
+      record.set_build("abc");
+      record.add_machine()->set_tiles(12);
+    }
+    return {answer};
+  });
+  server.beside([&](const std::string& address) {
+    EXPECT_EQ(say({"jobs", "--record", "7", "--server", address}).err,
+              "error: a job has its record once it has finished; this one is running\n");
+    finished = true;
+    const auto answer = say({"jobs", "--record", "7", "--json", "--server", address}).json();
+    EXPECT_EQ(answer["record"]["build"], "abc");
+    EXPECT_EQ(answer["record"]["machine"][0]["tiles"], 12);
+    EXPECT_EQ(answer["exit_code"], 0);
+  });
+}
+
 TEST(NamedJob, IsListedAsItIsNamed) {
   Server answers;
   FakeServer server([&](const v1::Envelope& request) { return answers(request); });

@@ -104,7 +104,7 @@ class Command(unittest.TestCase):
         self.assertEqual(set(record["times"]), names)
         for times in record["times"].values():
             self.assertEqual({kind: len(values) for kind, values in times.items()}, {"seconds": 6, "cpu": 6, "wall": 6})
-        self.assertTrue(all(record["machine"][key] for key in ("cpu", "cores", "server", "build", "numpy")))
+        self.assertTrue(all(record["machine"][key] for key in ("cpu", "host", "cores", "server", "commit", "build", "numpy")))
         self.assertTrue(all(name in out for name in names))
 
         # The same case, against a machine that was a thousand times as fast, or as slow.

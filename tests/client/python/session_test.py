@@ -28,6 +28,13 @@ class Rendered(unittest.TestCase):
         np.testing.assert_allclose(picture.xyz[..., 1], 0.4, rtol=1e-6)
         np.testing.assert_allclose(picture.xyz / 0.4, np.broadcast_to(picture.plan.source_white, (16, 32, 3)), rtol=1e-5)
 
+    def test_a_picture_knows_what_rendered_it(self) -> None:
+        record = self.server.render(scene()).record
+        self.assertTrue(record.build and record.server_build and record.machine[0].name)
+        self.assertEqual(sum(machine.tiles for machine in record.machine), 8)
+        self.assertIn("render", [phase.name for phase in record.phase])
+        self.assertTrue(all(phase.seconds > 0 and phase.cpu_seconds > 0 for phase in record.phase))
+
     def test_tiles_make_the_picture_in_any_order(self) -> None:
         picture = self.server.render(scene())
         tiles = [event.body for event in self.server.watch(picture.job_id) if event.kind == "tile"]

@@ -93,6 +93,10 @@ class Swept(unittest.TestCase):
                                  lambda picture: {"y": float(picture.xyz[..., 1].mean())})
             self.assertEqual([row["settings.method"] for row in table], ["exact {}", "rgb {}"] * 2)
             np.testing.assert_allclose([row["y"] for row in table], [0.1, 0.1, 0.4, 0.4], rtol=1e-3)
+            series = sorted((job.series.index, job.series.count, job.series.label) for job in server.jobs())
+            self.assertEqual([one[:2] for one in series], [(0, 4), (1, 4), (2, 4), (3, 4)])
+            self.assertEqual(series[0][2], "light[key].luminance=0.2 settings.method=exact {}")
+            self.assertEqual(len({job.series.id for job in server.jobs()}), 1)
             with self.assertRaises(metamer.JobFailed):
                 server.sweep(scene(), {"settings.spp": [1, 0]})
 

@@ -71,6 +71,26 @@ TEST_F(WorkerJob, SaysEachStageAsItBeginsAndOnceWhatTheyTook) {
   EXPECT_EQ(std::count(told.begin(), told.end(), "HIERARCHY"), 1);
 }
 
+TEST_F(WorkerJob, RecordsWhatItDidAndWhere) {
+  options_.machine.set_name("here");
+  options_.machine.set_cpu("a processor");
+  job_.compile(compile_message(ball_scene(settings)));
+  job_.render(both_tiles());
+  const v1::RunRecord record = sent().back().done().record();
+  EXPECT_FALSE(record.build().empty());
+  ASSERT_EQ(record.machine_size(), 1);
+  EXPECT_EQ(record.machine(0).name(), "here");
+  EXPECT_EQ(record.machine(0).cpu(), "a processor");
+  EXPECT_EQ(record.machine(0).tiles(), 2u);
+  Names phases;
+  for (const v1::PhaseTime& phase : record.phase()) {
+    phases.push_back(phase.name());
+    EXPECT_GT(phase.seconds(), 0) << phase.name();
+    EXPECT_GT(phase.cpu_seconds(), 0) << phase.name();
+  }
+  EXPECT_EQ(phases, (Names{"compile", "acceleration", "prepare", "render"}));
+}
+
 TEST_F(WorkerJob, PreparesWithoutDrawingWhereThatIsAskedFor) {
   v1::CompileJob message = compile_message(ball_scene(settings));
   message.set_prepare(true);

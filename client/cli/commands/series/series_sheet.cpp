@@ -18,12 +18,14 @@ SeriesSheet::SeriesSheet(std::string file, std::uint32_t count)
       every_(std::max(1u, (count + most_cells - 1) / most_cells)),
       cells_((count + every_ - 1) / every_) {}
 
-void SeriesSheet::add(std::uint32_t index, const std::string& label, const client::JobRecord* job,
-                      const std::string& note) {
+void SeriesSheet::note(std::uint32_t index, const std::string& words) {
+  if (!file_.empty() && index % every_ == 0) cells_[index / every_].note = words;
+}
+
+void SeriesSheet::add(std::uint32_t index, const std::string& label, const client::JobRecord* job) {
   if (file_.empty() || index % every_ != 0) return;
   client::SheetCell& cell = cells_[index / every_];
   cell.title = label;
-  cell.note = note;
   if (job == nullptr || !job->film || !job->plan) return;
   Image picture = job->film->image();
   if (const auto planned = client::planned_developing(*job->plan)) {

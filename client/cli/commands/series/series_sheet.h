@@ -18,9 +18,10 @@ class SeriesSheet {
   /// No `file`: there is no sheet.
   SeriesSheet(std::string file, std::uint32_t count);
 
-  /// A picture that is there, or nothing but the words of one that is not.
-  void add(std::uint32_t index, const std::string& label, const client::JobRecord* job,
-           const std::string& note);
+  /// A picture that is there, or nothing but its label.
+  void add(std::uint32_t index, const std::string& label, const client::JobRecord* job);
+  /// What stands below it.
+  void note(std::uint32_t index, const std::string& words);
   ExitCode write(Report& report);
 
  private:

@@ -1,16 +1,15 @@
 // A camera that goes around a scene: a picture a frame.
-#include <set>
+#include <algorithm>
 
 #include "client/cli/commands.h"
 #include "client/cli/commands/series/follow_series.h"
+#include "client/cli/commands/series/series_output.h"
 #include "client/cli/commands/series/series_sheet.h"
-#include "client/cli/output/output.h"
 #include "client/cli/scene_input.h"
 #include "client/cli/send_scene.h"
 #include "client/cli/shared_options.h"
 #include "client/tools/pictures/save_pictures.h"
 #include "client/tools/scene/camera_motion.h"
-#include "client/tools/series/frame_name.h"
 #include "client/tools/text/formatted.h"
 #include "common/scene/settings.h"
 
@@ -18,7 +17,6 @@ namespace metamer::cli {
 namespace {
 
 using client::formatted;
-using client::FrameName;
 
 struct TurntableOptions {
   CommonOptions common;
@@ -34,14 +32,8 @@ struct TurntableOptions {
 struct Turntable {
   const TurntableOptions& options;
   std::vector<std::uint32_t> frames;
-  std::vector<FrameName> names;
+  SeriesOutput output;
 
-  OutputOptions output_of(std::uint32_t frame) const {
-    OutputOptions output = options.output;
-    output.files.clear();
-    for (const FrameName& name : names) output.files.push_back(name.of(frame));
-    return output;
-  }
   /// Turned by whole turns it is where it was.
   v1::Scene scene_of(std::uint32_t frame, const v1::Scene& scene) const {
     v1::Scene turned = scene;
@@ -53,31 +45,15 @@ struct Turntable {
 
 /// Nothing: the options make no sense, which is said.
 std::optional<Turntable> understand(const TurntableOptions& options, Report& report) {
-  Turntable made{.options = options, .frames = {}, .names = {}};
-  bool good = true;
-  const auto refuse = [&](const char* option, const std::string& why) {
-    report.error(std::string(option) + ": " + why);
-    good = false;
-  };
-  if (auto frames = client::parse_frames(options.frames))
-    made.frames = std::move(*frames);
-  else
-    refuse("--frames", frames.error().message);
-  for (const std::string& pattern : options.output.files) {
-    if (auto name = FrameName::parse(pattern))
-      made.names.push_back(std::move(*name));
-    else
-      refuse("--output", name.error().message);
-  }
-  if (!options.sheet.empty()) {
-    std::string wrong = client::objection(options.sheet, client::FileContent::picture);
-    if (wrong.empty() && client::is_exr(options.sheet))
-      wrong = quoted(options.sheet) + " is no .png";
-    if (!wrong.empty()) refuse("--sheet", wrong);
-  }
-  if (!good || check_output(made.output_of(made.frames.front()), report) != ExitCode::done)
+  auto frames = client::parse_frames(options.frames);
+  if (!frames) {
+    report.error("--frames: " + frames.error().message);
     return std::nullopt;
-  return made;
+  }
+  auto output =
+      SeriesOutput::read(options.output, "--output", options.sheet, frames->front(), report);
+  if (!output) return std::nullopt;
+  return Turntable{options, *std::move(frames), *std::move(output)};
 }
 
 /// How to make a movie of the frames; empty: there is none to make.
@@ -111,7 +87,7 @@ Json frame_json(const Turntable& turntable, const SeriesPart& part) {
   if (part.record->last.has_finished()) {
     json["timing"] = to_json(part.record->last.finished().timing());
     json["record"] = to_json(part.record->last.finished().record());
-    json["files"] = turntable.output_of(turntable.frames[part.index]).files;
+    json["files"] = turntable.output.files(turntable.frames[part.index]);
   }
   return json;
 }
@@ -119,7 +95,7 @@ Json frame_json(const Turntable& turntable, const SeriesPart& part) {
 boost::asio::awaitable<ExitCode> turn_on(Session& session, Interrupts& interrupts,
                                          const Turntable& turntable, const CheckedScene& scene,
                                          Report& report) {
-  const JobParts parts = wanted(turntable.options.output);
+  const JobParts parts = turntable.output.parts();
   if (!check_factors(session, scene, parts == JobParts::picture_and_factors, report))
     co_return ExitCode::bad_input;
   const auto count = static_cast<std::uint32_t>(turntable.frames.size());
@@ -138,16 +114,15 @@ boost::asio::awaitable<ExitCode> turn_on(Session& session, Interrupts& interrupt
   const TakePart take = [&](SeriesPart part, ProgressView& view) {
     report.document()["frames"].push_back(frame_json(turntable, part));
     const bool done = part.failure.empty();
-    sheet.add(part.index, part.label, done ? &*part.record : nullptr,
-              done ? std::string() : "failed");
-    if (!done) return;
+    sheet.add(part.index, part.label, done ? &*part.record : nullptr);
+    if (!done) return sheet.note(part.index, "failed");
     view.clear();
     // What is to be said of the scene is the same of each of its frames.
     if (!std::exchange(noted, true))
       for (const v1::Notice& notice : part.record->plan->notice())
         report_notice(scene, notice, report);
-    const ExitCode code = write_output(turntable.output_of(turntable.frames[part.index]),
-                                       *part.record, scene.name(), report);
+    const ExitCode code =
+        turntable.output.write(turntable.frames[part.index], *part.record, scene.name(), report);
     if (code != ExitCode::done) written = code;
   };
   const ExitCode ended = co_await follow_series(session, interrupts, plan, take, report);

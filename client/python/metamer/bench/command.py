@@ -13,6 +13,7 @@ from metamer.bench.machine import describe
 from metamer.bench.measure import MEASURES, Times, measure
 from metamer.bench.significance import LEVEL, TOLERANCE, holm, mann_whitney, ratio, signed_rank
 from metamer.errors import InputError, MetamerError
+from metamer.v1.plan_pb2 import RunRecord
 
 FORMAT = 1  # of the record
 
@@ -74,11 +75,12 @@ def run(options: argparse.Namespace) -> int:
         servers = {"now": stack.enter_context(ours)}
         if options.against:
             servers["against"] = stack.enter_context(blocking.local(options.against))
-        times = measure(servers, cases, options.rounds, say, options.seed)
+        records: dict[str, RunRecord | None] = {}
+        times = measure(servers, cases, options.rounds, say, options.seed, records.__setitem__)
         record = {"format": FORMAT, "time": time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime()),
-                  "machine": describe(servers["now"].info()), "rounds": options.rounds, "times": times["now"]}
+                  "machine": describe(servers["now"].info(), records.get("now")), "rounds": options.rounds, "times": times["now"]}
         if options.against:
-            record["against"] = {"machine": describe(servers["against"].info()), "times": times["against"]}
+            record["against"] = {"machine": describe(servers["against"].info(), records.get("against")), "times": times["against"]}
     print_medians(times["now"])
     if options.output:
         with open(options.output, "w", encoding="utf-8") as file:
@@ -112,7 +114,7 @@ def print_medians(times: dict[str, Times]) -> None:
 
 
 def say_differences(now: dict, before: dict) -> None:
-    for key in ("cpu", "cores", "gpu", "threads", "system"):
+    for key in ("cpu", "isa", "cores", "gpu", "threads", "system"):
         if now.get(key) != before.get(key):
             say(f"note: the baseline is of another machine: {key} was {before.get(key)}, is {now.get(key)}")
 

@@ -7,26 +7,26 @@ import platform
 import google.protobuf
 import numpy as np
 
-from metamer.v1 import session_pb2
+from metamer.v1 import plan_pb2, session_pb2
 
 _TICKS = os.sysconf("SC_CLK_TCK")
 
 
-def describe(info: session_pb2.Info) -> dict[str, object]:
-    """What a time depends on. `build`: SHA-256 of the workers' program, where it runs on this machine and we may look."""
+def describe(info: session_pb2.Info, record: plan_pb2.RunRecord | None = None) -> dict[str, object]:
+    """What a time depends on: by the `record` of a job, which knows the machine that rendered it. `build`: SHA-256 of the
+    workers' program, where it runs on this machine and we may look. What is not known is empty."""
     gl = info.capabilities.gl
-    return {"cpu": _cpu(), "cores": os.cpu_count(), "gpu": f"{gl.renderer}, {gl.version}" if gl.renderer else "",
-            "threads": info.capabilities.threads, "system": platform.platform(), "server": info.server,
+    machines = record.machine if record else []
+    return {"cpu": _joined(machine.cpu for machine in machines), "host": _joined(machine.name for machine in machines),
+            "isa": _joined(machine.isa for machine in machines), "cores": os.cpu_count(),
+            "gpu": f"{gl.renderer}, {gl.version}" if gl.renderer else "", "threads": info.capabilities.threads,
+            "system": platform.platform(), "server": info.server, "commit": record.build if record else "",
             "build": _build(info), "python": platform.python_version(), "numpy": np.__version__,
             "protobuf": google.protobuf.__version__}
 
 
-def _cpu() -> str:
-    try:
-        lines = pathlib.Path("/proc/cpuinfo").read_text().splitlines()
-    except OSError:
-        lines = []
-    return next((line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")), platform.machine())
+def _joined(names) -> str:
+    return ", ".join(sorted({name for name in names if name}))
 
 
 def _build(info: session_pb2.Info) -> str:

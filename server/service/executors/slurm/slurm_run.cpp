@@ -122,6 +122,7 @@ void SlurmRun::take(FoundResult result) {
   } else if (stage_ == Stage::planning) {
     take_plan(std::move(result));
   } else {
+    add_record(result.message, 0);
     conclude(result.message.done());
   }
 }
@@ -177,7 +178,16 @@ void SlurmRun::put_first_tiles(FoundResult& result) {
     rays += tile.rays;
     put_tile(*job_, index++, std::move(tile));
   }
+  add_record(result.message, index - result.message.first());
   count(index - result.message.first(), rays);
+}
+
+/// What a task whose result counts has come to.
+void SlurmRun::add_record(const v1::BatchResult& message, std::size_t tiles) {
+  v1::RunRecord record = message.record();
+  if (record.machine_size() == 0) record.add_machine()->set_cpu(message.cpu());
+  record.mutable_machine(0)->set_name(message.node());
+  job_->add_run(std::move(record), static_cast<std::uint32_t>(tiles));
 }
 
 double SlurmRun::seconds_per_tile(const FoundResult& first) const {
@@ -213,6 +223,7 @@ void SlurmRun::take_range(FoundResult result) {
       if (ranges_->hopeless()) fail(v1::Failed::WORKER, "other tiles came than were asked for");
       break;
     case TileRanges::Verdict::counts:
+      add_record(result.message, tiles);
       count(tiles, rays);
       break;
     case TileRanges::Verdict::late:

@@ -84,6 +84,7 @@ class SlurmRun {
   void conclude(v1::JobDone done);
   void fail(v1::Failed::Kind kind, const std::string& reason);
   void count(std::uint64_t tiles, std::uint64_t rays);
+  void add_record(const v1::BatchResult& message, std::size_t tiles);
 
   JobQueue::JobPtr job_;
   JobQueue& queue_;
