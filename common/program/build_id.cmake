@@ -1,5 +1,6 @@
 # Writes OUTPUT, which says what SOURCE was built from; leaves it as it is where it says so already.
 # A copy of the sources within another repository is none of its commits.
+cmake_minimum_required(VERSION 3.25)
 set(id "")
 find_program(GIT git)
 if(GIT)

@@ -100,6 +100,20 @@ TEST_F(TurntableCommand, ASeriesIsOneLineAndOneWordToItsServer) {
   EXPECT_EQ(server.metamer({"watch", handle}).code, 2);
 }
 
+TEST_F(TurntableCommand, CtrlCCancelsAllThatWasSubmitted) {
+  const Daemon server;
+  const std::string endless = folder_.write("endless.txtpb", endless_scene());
+  const auto turning =
+      server.start({"turntable", endless, "--frames", "0:99", "-o", folder_ / "%04d.png"});
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+  while (server.json({"jobs"})["jobs"].size() < 2 && std::chrono::steady_clock::now() < end) {
+  }
+  turning->signal(SIGINT);
+  const Ended ended = turning->wait();
+  EXPECT_EQ(ended.code, 5) << ended.err;
+  for (const Json& job : server.json({"jobs"})["jobs"]) EXPECT_EQ(job["state"], "cancelled");
+}
+
 TEST_F(TurntableCommand, WhatCanNotBeIsSaidBeforeAnythingIsRendered) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
       {{"--frames", "0:3", "-o", folder_ / "a.png"}, "no place for the frame's number"},

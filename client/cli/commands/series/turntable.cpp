@@ -58,10 +58,11 @@ std::optional<Turntable> understand(const TurntableOptions& options, Report& rep
 
 /// How to make a movie of the frames; empty: there is none to make.
 std::string movie_hint(const Turntable& turntable, const v1::Settings& settings) {
-  const auto png =
-      std::find_if(turntable.names.begin(), turntable.names.end(),
-                   [](const FrameName& name) { return !client::is_exr(name.pattern()); });
-  if (turntable.frames.size() < 2 || png == turntable.names.end()) return {};
+  const auto& names = turntable.output.names();
+  const auto png = std::find_if(names.begin(), names.end(), [](const client::FrameName& name) {
+    return !client::is_exr(name.pattern());
+  });
+  if (turntable.frames.size() < 2 || png == names.end()) return {};
   const auto in_quotes = [](const std::string& words) {
     std::string text = "'";
     for (const char c : words) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
