@@ -13,14 +13,14 @@ namespace metamer {
 namespace {
 
 namespace fs = std::filesystem;
-using Kind = SpectralChannel::Kind;
+using ChannelKind = SpectralChannel::Kind;
 
 /// R, G, B and then the wavelengths. Error: two wavelengths have one name.
 Result<std::vector<std::string>> channel_names(const SpectralImage& image) {
   std::vector<std::string> names = {"R", "G", "B"};
   for (const double nm : image.nm) {
     const std::string name = spectral_channel_name(
-        {.kind = image.reflectance ? Kind::reflectance : Kind::emission, .nm = nm});
+        {.kind = image.reflectance ? ChannelKind::reflectance : ChannelKind::emission, .nm = nm});
     if (name == names.back())
       return problem("two wavelengths are too close for the channel name " + quoted(name));
     names.push_back(name);
@@ -87,12 +87,12 @@ Result<Bands> find_bands(const std::vector<std::string>& names, std::size_t pref
     const auto channel = parse_spectral_channel(std::string_view(names[c]).substr(prefix));
     if (!channel) return tl::unexpected<Problem>(channel.error());
     if (!*channel) continue;
-    if ((*channel)->kind == Kind::polarisation) {
+    if ((*channel)->kind == ChannelKind::polarisation) {
       result.polarised = true;
       continue;
     }
-    emission = emission || (*channel)->kind == Kind::emission;
-    result.reflectance = result.reflectance || (*channel)->kind == Kind::reflectance;
+    emission = emission || (*channel)->kind == ChannelKind::emission;
+    result.reflectance = result.reflectance || (*channel)->kind == ChannelKind::reflectance;
     result.bands.push_back({(*channel)->nm, c});
   }
   if (emission && result.reflectance)

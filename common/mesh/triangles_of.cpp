@@ -18,7 +18,8 @@ std::optional<std::string> many_materials(const std::vector<MeshPiece>& pieces) 
   if (names.size() < 2) return std::nullopt;
   std::string list;
   for (std::size_t i = 0; i < std::min<std::size_t>(names.size(), 6); ++i)
-    list += (i > 0 ? ", " : "") + (names[i].empty() ? std::string("none") : quoted(names[i]));
+    list +=
+        (i > 0 ? ", " : "") + (names[i].empty() ? std::string("none") : metamer::quoted(names[i]));
   if (names.size() > 6) list += " and more";
   return "its materials (" + list + ") are all the object's; a part has its own";
 }
