@@ -61,12 +61,6 @@ void expect_lawful(double f64, float f32, double peak, const Angles<double>& a, 
                 << number_text(a.r_dot_v);
 }
 
-Angles<double> mirrored(Angles<double> angles) {
-  angles.n_dot_h = angles.r_dot_v = 1;
-  angles.n_h_versine = angles.r_v_versine = 0;
-  return angles;
-}
-
 TEST(Laws, LobesAreFiniteAndNotNegativeAndF32AgreesWithF64) {
   for (const Entry& model : models::registry(Kind::model)) {
     Random random;

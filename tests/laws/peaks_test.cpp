@@ -53,12 +53,6 @@ Point point(Random& random) {
   }
 }
 
-Angles<double> mirrored(Angles<double> angles) {
-  angles.n_dot_h = angles.r_dot_v = 1;
-  angles.n_h_versine = angles.r_v_versine = 0;
-  return angles;
-}
-
 void expect_right(double f64, double f32, double peak, const Angles<double>& a, const char* name) {
   if (std::abs(f32 - f64) <= relative * std::max(f64, negligible * peak)) return;
   ADD_FAILURE() << name << " is " << f64 << " in f64, " << f32 << " in f32 at N·L " << a.n_dot_l

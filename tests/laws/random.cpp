@@ -108,4 +108,10 @@ models::Angles<double> rounded_to_f32(models::Angles<double> a) {
           as_f32(a.solid_angle)};
 }
 
+models::Angles<double> mirrored(models::Angles<double> angles) {
+  angles.n_dot_h = angles.r_dot_v = 1;
+  angles.n_h_versine = angles.r_v_versine = 0;
+  return angles;
+}
+
 }  // namespace metamer::laws

@@ -49,4 +49,7 @@ double roughness_of(const models::Entry& slope,
 models::Reflection<double> rounded_to_f32(models::Reflection<double> reflection);
 models::Angles<double> rounded_to_f32(models::Angles<double> angles);
 
+/// The same, but that the viewer is where a mirror would throw the light, and highlights peak.
+models::Angles<double> mirrored(models::Angles<double> angles);
+
 }  // namespace metamer::laws

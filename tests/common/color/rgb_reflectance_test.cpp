@@ -15,14 +15,14 @@ namespace metamer {
 namespace {
 
 /// X Y Z under D65, of white 1.
-Xyz seen(const Spectrum& reflectance) {
+Xyz xyz_seen(const Spectrum& reflectance) {
   const ObserverWeights lit =
       under_light(cie::observer_1931(), *cie::illuminant("D65"), reflectance.nm);
   return to_xyz(lit, reflectance.values);
 }
 
 TEST(RgbReflectance, IsSeenAsItsColour) {
-  const Xyz white = seen(reflectance_of_rgb({1, 1, 1}));
+  const Xyz white = xyz_seen(reflectance_of_rgb({1, 1, 1}));
   double worst = 0;
   for (int r = 0; r <= 10; ++r)
     for (int g = 0; g <= 10; ++g)
@@ -36,7 +36,7 @@ TEST(RgbReflectance, IsSeenAsItsColour) {
         ASSERT_GE(*low, 0);
         ASSERT_LE(*high, 1);
         const Lab wanted = to_lab(srgb::to_xyz(linear), srgb::to_xyz({1, 1, 1}));
-        worst = std::max(worst, delta_e_00(to_lab(seen(reflectance), white), wanted));
+        worst = std::max(worst, delta_e_00(to_lab(xyz_seen(reflectance), white), wanted));
       }
   EXPECT_LT(worst, 0.1);
   RecordProperty("largest", std::to_string(worst));

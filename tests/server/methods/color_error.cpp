@@ -37,9 +37,9 @@ std::string booth(const std::string& illuminant) {
 }
 
 /// The reference and the white that it is seen against.
-class Reference {
+class BandReference {
  public:
-  explicit Reference(const RenderScene& scene)
+  explicit BandReference(const RenderScene& scene)
       : nm_(dense().nm()),
         observer_(observer_weights(cie::observer_1931(), dense())),
         light_(resample(scene.emissions[0], nm_, Outside::zero).values) {
@@ -77,7 +77,7 @@ ColorErrors summed(const std::vector<double>& errors) {
 
 MethodErrors errors_of(const std::string& illuminant, const v1::Method& choice) {
   const RenderScene scene = compile_text(booth(illuminant));
-  const Reference reference(scene);
+  const BandReference reference(scene);
   v1::Settings settings;
   *settings.mutable_method() = choice;
   const auto method = make_method(make_plan(scene, settings, {.threads = 1}), scene);
