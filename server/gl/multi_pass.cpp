@@ -19,7 +19,7 @@ Result<MultiPass> MultiPass::create(const DirectTables& tables, std::uint32_t li
 
 Result<void> MultiPass::run(const Programs& programs, const Geometry& geometry,
                             const Buffer& places, const RegionView& view, SamplePoint place,
-                            const std::atomic<bool>& cancelled) {
+                            const Control& control) {
   const Rect& region = view.region;
   if (!target_.is(region.width, region.height)) {
     auto target = Target::make(Target::Content::values, region.width, region.height);
@@ -35,7 +35,7 @@ Result<void> MultiPass::run(const Programs& programs, const Geometry& geometry,
   }
   view.set(programs.combine, place);
   programs.combine.set("value_size", groups_);
-  for (std::uint32_t group = 0; group < groups_ && !cancelled; ++group) {
+  for (std::uint32_t group = 0; group < groups_ && !control.cancelled; ++group) {
     for (const Program* program :
          {&programs.pass_triangles, &programs.pass_spheres, &programs.combine})
       program->set("group", group);
@@ -44,6 +44,7 @@ Result<void> MultiPass::run(const Programs& programs, const Geometry& geometry,
     geometry.draw(programs.pass_triangles, programs.pass_spheres);
     programs.combine.use();
     dispatch_over(region);
+    ++control.work;
   }
   return {};
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 
 #include "server/gl/camera.h"
@@ -8,6 +7,7 @@
 #include "server/gl/programs.h"
 #include "server/gl/target.h"
 #include "server/methods/direct_tables.h"
+#include "server/render/renderer.h"
 
 namespace metamer::gl {
 
@@ -24,7 +24,7 @@ class MultiPass {
   /// `places` are the lobes at triangles' places, where there are any. Leaves the rest out when
   /// `cancelled`.
   Result<void> run(const Programs& programs, const Geometry& geometry, const Buffer& places,
-                   const RegionView& view, SamplePoint place, const std::atomic<bool>& cancelled);
+                   const RegionView& view, SamplePoint place, const Control& control);
 
  private:
   MultiPass() = default;

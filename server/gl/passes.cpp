@@ -134,13 +134,14 @@ void Passes::bind() const {
 
 /// Each light by itself: llvmpipe cuts long loops short.
 void Passes::for_each_light(const Program& program, const Rect& region,
-                            const std::atomic<bool>& cancelled) const {
+                            const Control& control) const {
   program.use();
   const std::uint32_t pixels = region.width * region.height;
-  for (std::uint32_t light = 0; light < scene_.lights.size() && !cancelled; ++light) {
+  for (std::uint32_t light = 0; light < scene_.lights.size() && !control.cancelled; ++light) {
     program.set("light", light);
     program.set("first_weight", light * pixels);
     dispatch_over(region);
+    ++control.work;
   }
 }
 
@@ -171,7 +172,7 @@ Result<void> Passes::begin(const Rect& region, const Film& film) {
   return {};
 }
 
-Result<void> Passes::add(SamplePoint place, const std::atomic<bool>& cancelled) {
+Result<void> Passes::add(SamplePoint place, const Control& control) {
   clock_->run(Pass::visibility, [&] {
     for (const Program* program : {&programs_->triangles, &programs_->spheres})
       view_->set(*program, place);
@@ -181,25 +182,24 @@ Result<void> Passes::add(SamplePoint place, const std::atomic<bool>& cancelled) 
   Result<void> done;
   clock_->run(Pass::shading, [&] {
     if (multi_pass_) {
-      done = multi_pass_->run(*programs_, geometry_, places_, *view_, place, cancelled);
+      done = multi_pass_->run(*programs_, geometry_, places_, *view_, place, control);
       return;
     }
     view_->set(programs_->shade, place);
     if (places_of_triangle_ > 0) places_.bind_storage(3);
-    for_each_light(programs_->shade, view_->region, cancelled);
+    for_each_light(programs_->shade, view_->region, control);
   });
   return done ? check_context() : done;
 }
 
-Result<void> Passes::finish(const Film& film, std::size_t samples,
-                            const std::atomic<bool>& cancelled) {
+Result<void> Passes::finish(const Film& film, std::size_t samples, const Control& control) {
   view_->set(programs_->finish, {0, 0});
   clock_->run(Pass::color, [&] {
-    if (!multi_pass_) for_each_light(programs_->finish, view_->region, cancelled);
+    if (!multi_pass_) for_each_light(programs_->finish, view_->region, control);
   });
   if (const GLenum error = glGetError(); error != GL_NO_ERROR)
     return problem("GL error " + std::to_string(error) + " while rendering");
-  if (!cancelled) read_back(view_->region, film, samples);
+  if (!control.cancelled) read_back(view_->region, film, samples);
   return {};
 }
 

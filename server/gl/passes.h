@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <optional>
 
@@ -13,6 +12,7 @@
 #include "server/gl/programs.h"
 #include "server/gl/target.h"
 #include "server/methods/method.h"
+#include "server/render/renderer.h"
 
 namespace metamer::gl {
 
@@ -37,11 +37,12 @@ class Passes {
   /// Others have used the context since the last call.
   void bind() const;
   /// Adds one sample of each of the region's pixels. Looks at `cancelled` before each light and
-  /// pass, and then leaves the rest out. Errors: the context is gone.
-  Result<void> add(SamplePoint place, const std::atomic<bool>& cancelled);
+  /// pass, and then leaves the rest out; counts each as work, since software takes long for one.
+  /// Errors: the context is gone.
+  Result<void> add(SamplePoint place, const Control& control);
   /// Writes X Y Z of the region's pixels into the film, the mean of so many samples; not once
   /// `cancelled`.
-  Result<void> finish(const Film& film, std::size_t samples, const std::atomic<bool>& cancelled);
+  Result<void> finish(const Film& film, std::size_t samples, const Control& control);
 
   const PassClock& clock() const { return *clock_; }
 
@@ -49,8 +50,7 @@ class Passes {
   Passes(const RenderScene& scene, const Geometry& geometry) : scene_(scene), geometry_(geometry) {}
   Result<void> upload(const DirectTables& tables);
   Result<void> resize(const Rect& region);
-  void for_each_light(const Program& program, const Rect& region,
-                      const std::atomic<bool>& cancelled) const;
+  void for_each_light(const Program& program, const Rect& region, const Control& control) const;
   void evaluate_places();
   void read_back(const Rect& region, const Film& film, std::size_t samples) const;
 

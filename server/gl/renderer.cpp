@@ -130,14 +130,14 @@ class Rasteriser : public Renderer {
     const std::vector<SamplePoint>& samples = picture_.samples;
     while (next_sample_ < samples.size()) {
       if (control.cancelled) return false;
-      if (auto done = passes_->add(samples[next_sample_], control.cancelled); !done)
+      if (auto done = passes_->add(samples[next_sample_], control); !done)
         return tl::unexpected(done.error());
       ++next_sample_;
       control.work += std::uint64_t{region_->width} * region_->height;
       lose_context_for_tests(device_.context());
       if (next_sample_ < samples.size() && control.is_over()) return false;
     }
-    if (auto done = passes_->finish(picture_.film, samples.size(), control.cancelled); !done)
+    if (auto done = passes_->finish(picture_.film, samples.size(), control); !done)
       return tl::unexpected(done.error());
     return !control.cancelled;
   }

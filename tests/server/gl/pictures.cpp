@@ -121,10 +121,12 @@ Result<Pictures::Xyz> Pictures::by_gl(const v1::Method& method, ProgramCache& ca
   Xyz xyz(std::size_t{width()} * height() * 3);
   const Film film{xyz.data(), width(), height()};
   const std::vector<SamplePoint> samples = sample_pattern(settings_.spp());
+  std::atomic<std::uint64_t> work = 0;
+  const Control control{never, {}, work};
   Result<void> done = renderer->begin({0, 0, width(), height()}, film);
   for (const SamplePoint sample : samples)
-    if (done) done = renderer->add(sample, never);
-  if (done) done = renderer->finish(film, samples.size(), never);
+    if (done) done = renderer->add(sample, control);
+  if (done) done = renderer->finish(film, samples.size(), control);
   if (!done) return tl::unexpected(done.error());
   return xyz;
 }
