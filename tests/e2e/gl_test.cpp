@@ -22,6 +22,10 @@ TEST(Gl, RendersWhatTheCpuRenders) {
         {"render", scene, "--method", method, "--backend", "gl", "-o", gl, "--exr", "xyz"});
     EXPECT_EQ(document["plan"]["backend"], "gl");
     EXPECT_EQ(document["timing"]["pass"].size(), 4u);
+    // The worker keeps the scene's geometry, and its programs, which know no method.
+    const Json& record = document["record"];
+    EXPECT_EQ(record["warm"].size(), method == "point" ? 0u : 2u) << record;
+    EXPECT_FALSE(record["machine"][0]["gpu"].get<std::string>().empty());
     // Edges may fall to either side; what lies between them is the same.
     const Json compared = parse_document(metamer({"compare", cpu, gl, "--json"}).out)["difference"];
     EXPECT_LT(compared["median"].get<double>(), 0.02) << compared.dump(2);

@@ -28,6 +28,9 @@ TEST(Turns, AJobThatYieldsOverAndOverIsTheSamePicture) {
   EXPECT_EQ(end.code, 0);
   EXPECT_GE(count_of("others have their turn", end.events), 1u);
   EXPECT_EQ(count_of("\"retrying\"", end.events), 0u);
+  const Json& machines = end.last["finished"]["record"]["machine"];
+  ASSERT_EQ(machines.size(), 1u) << machines;
+  EXPECT_EQ(machines[0]["tiles"], 80 * 60) << "of all turns together";
   const std::string interrupted = folder / "interrupted.exr";
   const std::string whole = folder / "whole.exr";
   ASSERT_EQ(daemon.metamer({"fetch", job.id(), "-o", interrupted, "--exr", "xyz"}).code, 0);

@@ -85,6 +85,11 @@ TEST_P(WorkerTrouble, OnceIsMadeGood) {
   EXPECT_EQ(story.retries[0], std::string("the worker was lost: ") + GetParam().reason);
   EXPECT_TRUE(story.end.has_finished()) << story.end.ShortDebugString();
   EXPECT_EQ(story.tiles, 12);  // each of them once
+  // Whoever drew them, and could not say so any more.
+  std::uint32_t recorded = 0;
+  for (const v1::MachineRecord& machine : story.end.finished().record().machine())
+    recorded += machine.tiles();
+  EXPECT_EQ(recorded, 12u);
 }
 
 TEST(AWorker, CantShrinkTheMemoryThatTheDaemonReads) {

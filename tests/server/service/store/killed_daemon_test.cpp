@@ -127,7 +127,10 @@ struct KilledDaemon : testing::Test {
   void expect_picture(Client& client, const Acknowledged& job) {
     client.watch(job.id);
     std::set<std::pair<unsigned, unsigned>> pixels;
+    std::uint32_t recorded = 0;
     client.receive_event_until([&](const v1::JobEvent& event) {
+      for (const v1::MachineRecord& machine : event.finished().record().machine())
+        recorded += machine.tiles();
       if (event.has_retrying() && event.retrying().from_start()) pixels.clear();
       if (!event.has_tile()) return event.has_finished();
       const v1::Tile& tile = event.tile();
@@ -142,6 +145,7 @@ struct KilledDaemon : testing::Test {
       return false;
     });
     EXPECT_EQ(pixels.size(), std::size_t{job.width} * job.height) << "of job " << job.id;
+    EXPECT_EQ(recorded, (job.width + 7) / 8 * ((job.height + 7) / 8)) << "of job " << job.id;
   }
 
   /// Kills the daemon so many times, each at a moment between ready and `longest` later.
