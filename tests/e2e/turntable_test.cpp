@@ -92,10 +92,11 @@ TEST_F(TurntableCommand, ASeriesIsOneLineAndOneWordToItsServer) {
   EXPECT_EQ(paused["jobs"].size(), 16u);
   for (const Json& job : paused["jobs"]) EXPECT_EQ(job["priority"], 7);
   EXPECT_EQ(server.json({"resume", handle})["jobs"].size(), 16u);
-  EXPECT_EQ(server.json({"cancel", handle})["jobs"].size(), 16u);
-  // Whoever made the series has no more of it either.
+  // Whoever made the series has no more of it either, and cancels some of its jobs first.
+  EXPECT_EQ(server.json({"cancel", handle})["exit_code"], 0);
   const Ended ended = turning->wait();
   EXPECT_EQ(ended.code, 5) << ended.err;
+  for (const Json& job : server.json({"jobs"})["jobs"]) EXPECT_EQ(job["state"], "cancelled");
   EXPECT_EQ(server.metamer({"cancel", handle}).code, 2) << "all have ended";
   EXPECT_EQ(server.metamer({"watch", handle}).code, 2);
 }

@@ -83,9 +83,12 @@ void Supervisor::on_ready(v1::WorkerReady ready) {
   sandbox_ = ready.sandbox();
   machine_.set_name(host_name());
   machine_.set_cpu(processor_name());
-  if (backend() == v1::GL) machine_.set_gpu(capabilities_.gl().renderer());
-  machine_.set_isa(ready.isa());
-  machine_.set_lanes(ready.lanes());
+  if (backend() == v1::GL) {
+    machine_.set_gpu(capabilities_.gl().renderer());
+  } else {
+    machine_.set_isa(ready.isa());
+    machine_.set_lanes(ready.lanes());
+  }
   capabilities_signal_.cancel();
   state_ = State::idle;
   memory_ = MemoryLimit(worker_->pid());

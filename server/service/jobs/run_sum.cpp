@@ -15,7 +15,7 @@ constexpr std::size_t most_text = 120;
 constexpr int most_kinds = 16;
 constexpr int most_machines = 256;
 
-std::string cut(const std::string& text) { return shortened(text, most_text); }
+std::string cut_text(const std::string& text) { return shortened(text, most_text); }
 
 /// The message of that name, or a new one; null: there are too many.
 template <class Messages, class Get, class Set>
@@ -37,7 +37,7 @@ bool is_same(const v1::MachineRecord& a, const v1::MachineRecord& b) {
 void add_machine(v1::MachineRecord machine, v1::RunRecord& sum) {
   for (std::string* text : {machine.mutable_name(), machine.mutable_cpu(), machine.mutable_gpu(),
                             machine.mutable_isa()})
-    *text = cut(*text);
+    *text = cut_text(*text);
   for (v1::MachineRecord& known : *sum.mutable_machine()) {
     if (!is_same(known, machine)) continue;
     known.set_tiles(known.tiles() + machine.tiles());
@@ -55,21 +55,21 @@ void add_machine(v1::MachineRecord machine, v1::RunRecord& sum) {
 }  // namespace
 
 void add_run(v1::RunRecord part, std::uint32_t tiles, v1::RunRecord& sum) {
-  if (!part.build().empty()) sum.set_build(cut(part.build()));
+  if (!part.build().empty()) sum.set_build(cut_text(part.build()));
   v1::MachineRecord machine;
   if (part.machine_size() > 0) machine = std::move(*part.mutable_machine(0));
   machine.set_tiles(tiles);
   add_machine(std::move(machine), sum);
   for (const v1::PhaseTime& phase : part.phase()) {
     auto* known =
-        find_or_add(*sum.mutable_phase(), cut(phase.name()), &v1::PhaseTime::name,
+        find_or_add(*sum.mutable_phase(), cut_text(phase.name()), &v1::PhaseTime::name,
                     [](v1::PhaseTime& to, const std::string& name) { to.set_name(name); });
     if (known == nullptr) break;
     known->set_seconds(known->seconds() + phase.seconds());
     known->set_cpu_seconds(known->cpu_seconds() + phase.cpu_seconds());
   }
   for (const v1::RayCount& rays : part.rays()) {
-    auto* known = find_or_add(*sum.mutable_rays(), cut(rays.kind()), &v1::RayCount::kind,
+    auto* known = find_or_add(*sum.mutable_rays(), cut_text(rays.kind()), &v1::RayCount::kind,
                               [](v1::RayCount& to, const std::string& kind) { to.set_kind(kind); });
     if (known == nullptr) break;
     known->set_rays(known->rays() + rays.rays());
@@ -78,7 +78,7 @@ void add_run(v1::RunRecord part, std::uint32_t tiles, v1::RunRecord& sum) {
   for (const std::string& warm : part.warm()) {
     if (sum.warm_size() >= most_kinds) break;
     if (std::find(sum.warm().begin(), sum.warm().end(), warm) == sum.warm().end())
-      sum.add_warm(cut(warm));
+      sum.add_warm(cut_text(warm));
   }
 }
 
