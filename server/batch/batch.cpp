@@ -46,7 +46,8 @@ v1::BatchResult carry_out(const v1::BatchOrder& order, const BatchOptions& optio
   auto worker = OwnWorker::start({.program = options.program,
                                   .store = order.assets(),
                                   .threads = options.threads,
-                                  .unconfined = options.unconfined});
+                                  .unconfined = options.unconfined,
+                                  .gl_device = options.gl_device});
   if (!worker) return lost(worker.error().message);
   return Task(order, *worker).run(options.threads);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace metamer::batch {
 
@@ -10,6 +11,7 @@ struct BatchOptions {
   std::filesystem::path program;  ///< This one, for the worker that it starts.
   unsigned threads = 1;
   bool unconfined = false;
+  std::string gl_device = {};  ///< Empty: by the CPU.
 };
 
 /// Reads the order, has a worker carry it out, and leaves the result in its place. Exit codes: 0 it

@@ -47,6 +47,7 @@ int spawn(const WorkerWords& words, int socket, int film, pid_t& pid) {
                                   "--threads", std::to_string(words.threads),
                                   // As on each other node, whatever the processor has.
                                   "--isa", "avx2"};
+  if (!words.gl_device.empty()) all.insert(all.end(), {"--gl-device", words.gl_device});
   if (words.unconfined) all.insert(all.end(), {"--unconfined", "yes"});
   std::vector<char*> arguments;
   for (std::string& word : all) arguments.push_back(word.data());

@@ -17,7 +17,8 @@ struct WorkerWords {
   std::filesystem::path program;
   std::filesystem::path store;  ///< The assets that it sees.
   unsigned threads = 1;
-  bool unconfined = false;  ///< It may run where the kernel can't confine it.
+  bool unconfined = false;     ///< It may run where the kernel can't confine it.
+  std::string gl_device = {};  ///< Where it draws by OpenGL; empty: it traces by the CPU.
 };
 
 /// A metamer-worker of this process's own, which it talks to as metamerd would: by a socket, and by

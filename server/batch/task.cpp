@@ -97,6 +97,13 @@ Result<void> Task::carry_out(unsigned threads) {
   return rendered;
 }
 
+/// OpenGL's last bits depend on the tiles that are drawn together, so it draws all that it can, as
+/// on one machine. And it goes through the whole scene for each batch, however few its tiles are.
+std::uint32_t Task::most_in_a_result() const {
+  const std::size_t tile = std::size_t{plan_->tile_size()} * plan_->tile_size() * pixel_bytes;
+  return static_cast<std::uint32_t>(std::max<std::size_t>(1, enough_bytes / tile));
+}
+
 /// In batches of twice as many tiles each, until the time is over, the result large enough, or the
 /// picture whole.
 Result<void> Task::render_for_a_while(unsigned threads) {
@@ -104,8 +111,10 @@ Result<void> Task::render_for_a_while(unsigned threads) {
   const std::uint32_t end = grid_.size();
   std::uint32_t next = order_.first();
   const std::uint32_t most = order_.compile().keep_factors() ? 16 : 4096;
-  for (std::uint32_t batch = std::clamp(4 * threads, 1u, most); next < end;
-       batch = std::min(2 * batch, most)) {
+  std::uint32_t first_batch = std::clamp(4 * threads, 1u, most);
+  if (plan_->backend() == "gl") first_batch = most_in_a_result();
+  for (std::uint32_t batch = first_batch; next < end;
+       batch = std::min(2 * batch, std::max(most, first_batch))) {
     const std::uint32_t count = std::min(batch, end - next);
     if (auto rendered = render(next, count, next + count == end); !rendered || failed())
       return rendered;

@@ -35,6 +35,7 @@ class Task {
   Result<void> take_factors(const v1::FactorsPiece& piece);
   Result<void> render(std::uint32_t first, std::uint32_t count, bool last);
   Result<void> render_for_a_while(unsigned threads);
+  std::uint32_t most_in_a_result() const;
   std::optional<std::uint32_t> place_of(const v1::TileRect& tile) const;
   bool failed() const { return result_.has_failed(); }
 

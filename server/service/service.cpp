@@ -37,10 +37,21 @@ ServiceOptions completed(ServiceOptions options) {
   return options;
 }
 
-/// Of Slurm's tasks, which run the same worker.
-SlurmExecutor::Options slurm_options(const ServiceOptions& all, const std::string& build,
-                                     const std::string& server_id) {
+bool draws_gl_by_slurm(const ServiceOptions& options) {
+  return options.executor == "slurm" && !options.slurm.commands.gres.empty();
+}
+
+/// Of Slurm's tasks, which run the same worker. Those of the two backends never know each other's.
+SlurmExecutor::Options slurm_options(const ServiceOptions& all, v1::Backend backend,
+                                     const std::string& build, std::string server_id) {
   SlurmExecutor::Options options = all.slurm;
+  options.backend = backend;
+  if (backend == v1::GL) {
+    options.commands.gl_device = all.worker.command.gl_device;
+    if (!server_id.empty()) server_id += "/gl";
+  } else {
+    options.commands.gres.clear();
+  }
   std::error_code ignored;
   options.folder = std::filesystem::absolute(options.folder, ignored);
   options.store = all.store;
@@ -106,7 +117,9 @@ Service::Service(asio::io_context& context, ServiceOptions options)
       views_(options_.limits),
       cpu_(context.get_executor(), for_lane(options_.worker, cpu_jobs), queue_, views_),
       cpu_views_(context.get_executor(), for_lane(options_.worker, cpu_views), queue_, views_),
-      gl_(context.get_executor(), for_lane(options_.worker, gl_lane), queue_, views_),
+      gl_(context.get_executor(),
+          for_lane(options_.worker, draws_gl_by_slurm(options_) ? gl_views : gl_lane), queue_,
+          views_),
       listener_(context.get_executor()) {}
 
 /// The table of users in the state, by a connection of its own: it is read whenever somebody comes,
@@ -137,16 +150,19 @@ Result<void> Service::start() {
   if (options_.executor == "slurm") {
     if (auto made = make_folder(options_.slurm.folder, "Slurm's folder"); !made) return made;
     if (build_.empty()) build_ = wire::digest_of_program(options_.worker.command.program);
-    slurm_.emplace(context_.get_executor(),
-                   slurm_options(options_, build_, state_ ? state_->server_id() : ""), queue_,
+    const std::string id = state_ ? state_->server_id() : "";
+    slurm_.emplace(context_.get_executor(), slurm_options(options_, v1::CPU, build_, id), queue_,
                    cpu_views_);
+    if (draws_gl_by_slurm(options_))
+      gl_slurm_.emplace(context_.get_executor(), slurm_options(options_, v1::GL, build_, id),
+                        queue_, gl_);
   }
   if (auto opened = open_users(); !opened) return opened;
   auto store = AssetStore::open(options_.store, options_.store_bytes);
   if (!store) return tl::unexpected(store.error());
   store_ = *std::move(store);
   service_context_ = std::make_unique<ServiceContext>(
-      ServiceContext{*store_, queue_, views_, cpu(), cpu_views_, gl_, cpu_views_, gl_,
+      ServiceContext{*store_, queue_, views_, cpu(), cpu_views_, gl(), cpu_views_, gl_,
                      [this] { return listener_.sessions(); }, options_.limits, options_.patience,
                      *logins_, Accounts(users_ ? &*users_ : nullptr), state_.get()});
   service_context_->tell_usage = [this](const Identity& who, v1::Info& info) {
@@ -163,6 +179,7 @@ Result<void> Service::start() {
     if (auto opened = listener_.open(endpoint, options_.listening); !opened) return opened;
   }
   cpu().start();
+  if (gl_slurm_) gl_slurm_->start();
   listener_.start(*service_context_);
   return {};
 }
@@ -218,6 +235,11 @@ Executor& Service::cpu() {
   return cpu_;
 }
 
+Executor& Service::gl() {
+  if (gl_slurm_) return *gl_slurm_;
+  return gl_;
+}
+
 Counts Service::counts() {
   Counts all;
   all.jobs = queue_.counts();
@@ -232,7 +254,7 @@ Counts Service::counts() {
   all.store_bytes = store_->bytes();
   all.state_bytes = state_ ? queue_.picture_bytes() : 0;
   for (const Executor* executor :
-       std::initializer_list<const Executor*>{&cpu(), &cpu_views_, &gl_}) {
+       std::initializer_list<const Executor*>{&cpu(), &cpu_views_, &gl()}) {
     const v1::WorkerInfo info = executor->info();
     all.workers.push_back({info.backend(), info.starts(), executor->losses()});
   }
@@ -258,11 +280,12 @@ Result<void> Service::reload_certificates() {
 
 void Service::stop() {
   cpu().charge_job();
-  gl_.charge_job();
+  gl().charge_job();
   queue_.set_aside();
   next_look_.cancel();
   listener_.stop();
   if (slurm_) slurm_->stop();
+  if (gl_slurm_) gl_slurm_->stop();
   cpu_.stop();
   cpu_views_.stop();
   gl_.stop();

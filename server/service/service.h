@@ -35,7 +35,8 @@ struct ServiceOptions {
   WallClock clock = wall_clock;
   Supervisor::Options worker;      ///< Of all lanes; its store and lane are filled in.
   std::string executor = "local";  ///< Who has the CPU's jobs: "local" or "slurm".
-  SlurmExecutor::Options slurm;    ///< Its store, worker and names are filled in.
+  /// Its store, worker and names are filled in. GL jobs are Slurm's where its commands have a gres.
+  SlurmExecutor::Options slurm;
 };
 
 /// The whole daemon, on one thread: everything here and below runs in `context` and nowhere else,
@@ -68,6 +69,7 @@ class Service {
   void restore_jobs();
   asio::awaitable<void> look_after_jobs();
   Executor& cpu();
+  Executor& gl();
 
   asio::io_context& context_;
   ServiceOptions options_;
@@ -81,7 +83,7 @@ class Service {
   JobQueue queue_;
   Views views_;
   Supervisor cpu_, cpu_views_, gl_;
-  std::optional<SlurmExecutor> slurm_;  // in the place of cpu_
+  std::optional<SlurmExecutor> slurm_, gl_slurm_;  // in the place of cpu_, and of gl_ for jobs
   std::unique_ptr<ServiceContext> service_context_;
   Listener listener_;
 };

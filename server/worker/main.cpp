@@ -33,7 +33,8 @@ constexpr const char* usage =
     "usage: metamer-worker --store DIR --threads N [--gl-device auto|reference|N] [--nice N] "
     "[--group DIR] [--unconfined yes] [--isa avx2]\n"
     "Started by metamerd; descriptor 3 is its socket, descriptor 4 the picture's memory.\n"
-    "   or: metamer-worker --batch FILE [--threads N] [--nice N] [--unconfined yes]\n"
+    "   or: metamer-worker --batch FILE [--threads N] [--gl-device …] [--nice N] [--unconfined "
+    "yes]\n"
     "Carries out an order of metamerd's, as a task of a cluster.\n";
 
 /// Moves this process into a control group, and so all that it will start.
@@ -164,7 +165,8 @@ int main(int count, char** arguments) {
     return metamer::batch::run_batch({.order = order,
                                       .program = std::filesystem::canonical("/proc/self/exe"),
                                       .threads = options.threads,
-                                      .unconfined = unconfined});
+                                      .unconfined = unconfined,
+                                      .gl_device = gl_device});
   if (options.store.empty() || fcntl(link_descriptor, F_GETFD) < 0 ||
       fcntl(film_descriptor, F_GETFD) < 0) {
     std::fputs(usage, stderr);

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <thread>
 
 namespace metamer::test {
@@ -46,7 +47,9 @@ std::vector<int> free_ports(std::size_t count) {
 
 std::string word_of(pid_t pid, const std::string& file) {
   std::ifstream in("/proc/" + std::to_string(pid) + "/" + file);
-  return {std::istreambuf_iterator<char>(in), {}};
+  std::ostringstream text;
+  text << in.rdbuf();  // which throws nothing where the process ends meanwhile
+  return text.str();
 }
 
 /// All processes whose environment or words have this text.
@@ -70,9 +73,18 @@ std::string Cluster::lacks() {
   return ::geteuid() == 0 ? "" : "slurmd wants to be root";
 }
 
-Cluster::Cluster(int nodes, int cpus_per_node) {
-  std::ofstream(folder_ / "slurm.conf") << in_configuration(nodes, cpus_per_node);
+std::string Cluster::lacks_apart() {
+  if (auto lacks = Cluster::lacks(); !lacks.empty()) return lacks;
+  if (find_program("ip").empty()) return "ip is not installed: apt-get install iproute2";
+  const Ended tried = run({"/usr/bin/unshare", "--net", "--mount", "/bin/true"});
+  return tried.code == 0 ? "" : "no namespaces here: " + tried.err;
+}
+
+Cluster::Cluster(const Shape& shape) : shape_(shape) {
   for (const std::string name : {"state", "shared"}) fs::create_directory(folder_ / name);
+  if (shape_.apart) set_apart();
+  std::ofstream(folder_ / "slurm.conf") << in_configuration();
+  if (shape_.gpu) std::ofstream(folder_ / "gres.conf") << "Name=gpu File=/dev/null\n";
   ::setenv("SLURM_CONF", (folder_ / "slurm.conf").c_str(), 1);
 
   const std::string key = folder_.write("munge.key", std::string(1024, 'k'));
@@ -85,8 +97,8 @@ Cluster::Cluster(int nodes, int cpus_per_node) {
   while (!fs::exists(folder_ / "munge") && steady_clock::now() < end)
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   start_controller();
-  for (int i = 1; i <= nodes; ++i) start_node("n" + std::to_string(i));
-  wait_until_idle(nodes);
+  for (int i = 1; i <= shape_.nodes; ++i) start_node("n" + std::to_string(i));
+  wait_until_idle(shape_.nodes);
 }
 
 Cluster::~Cluster() {
@@ -98,16 +110,61 @@ Cluster::~Cluster() {
   ::unsetenv("SLURM_CONF");
 }
 
-std::string Cluster::in_configuration(int nodes, int cpus) const {
+/// Namespaces with a link to this machine, which are there as long as a process that does nothing.
+void Cluster::set_apart() {
+  // Addresses of four each, by the process's number: tests beside this one have others.
+  const int place = ::getpid() % 16384 * 4;
+  const std::string net = "10.213." + std::to_string(place / 256) + ".";
+  address_ = net + std::to_string(place % 256 + 1);
+  address_apart_ = net + std::to_string(place % 256 + 2);
+  namespaces_ = std::make_unique<Process>(std::vector<std::string>{
+      "/usr/bin/unshare", "--net", "--mount", "/bin/sh", "-c", "echo ready; exec sleep infinity"});
+  if (!namespaces_->line_out("ready")) ADD_FAILURE() << "no namespaces";
+  const std::string ip = find_program("ip"), link = "mt" + std::to_string(::getpid());
+  for (const Ended& ended : {run({ip, "link", "add", link, "type", "veth", "peer", "name", "eth0",
+                                  "netns", std::to_string(namespaces_->pid())}),
+                             run({ip, "address", "add", address_ + "/30", "dev", link}),
+                             run({ip, "link", "set", link, "up"})})
+    EXPECT_EQ(ended.code, 0) << ended.err;
+  do_apart({ip, "address", "add", address_apart_ + "/30", "dev", "eth0"});
+  do_apart({ip, "link", "set", "lo", "up"});
+  set_link("up");
+}
+
+void Cluster::do_apart(const std::vector<std::string>& words) const {
+  std::vector<std::string> all = {"/usr/bin/nsenter", "--target",
+                                  std::to_string(namespaces_->pid()), "--net", "--mount"};
+  all.insert(all.end(), words.begin(), words.end());
+  const Ended ended = run(all);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+}
+
+void Cluster::set_link(const std::string& state) const {
+  do_apart({find_program("ip"), "link", "set", "eth0", state});
+}
+
+/// What is written there goes to a file system of a few pages, laid over what all see.
+void Cluster::fill_disk() const {
+  const std::string small = folder_ / "small";
+  fs::create_directory(small);
+  do_apart({"/bin/sh", "-c",
+            "mount -t tmpfs -o size=4k tmpfs " + small + " && mkdir " + small + "/upper " + small +
+                "/work && mount -t overlay overlay -o lowerdir=" + (folder_ / "shared") +
+                ",upperdir=" + small + "/upper,workdir=" + small + "/work " +
+                (folder_ / "shared")});
+}
+
+void Cluster::make_room() const { do_apart({"/bin/umount", "--lazy", folder_ / "shared"}); }
+
+std::string Cluster::in_configuration() const {
+  const int nodes = shape_.nodes;
   const std::vector<int> ports = free_ports(static_cast<std::size_t>(nodes) + 1);
   const std::string folder = folder_.path();
   std::string text = R"(ClusterName=metamer
-SlurmctldHost=localhost(127.0.0.1)
 AuthType=auth/munge
 CredType=cred/munge
 SlurmUser=root
 SlurmdUser=root
-CommunicationParameters=NoCtldInAddrAny,NoInAddrAny
 ProctrackType=proctrack/linuxproc
 TaskPlugin=task/none
 SelectType=select/cons_tres
@@ -123,6 +180,11 @@ KillWait=2
 SlurmctldDebug=error
 SlurmdDebug=error
 )";
+  // With these it listens at what the machine's name stands for, which another network does not
+  // see.
+  if (!shape_.apart) text += "CommunicationParameters=NoCtldInAddrAny,NoInAddrAny\n";
+  text += "SlurmctldHost=localhost(" + address_ + ")\n";
+  if (shape_.gpu) text += "GresTypes=gpu\n";
   text += "AuthInfo=socket=" + folder + "/munge\n";
   text += "StateSaveLocation=" + folder + "/state\n";
   text += "SlurmdSpoolDir=" + folder + "/spool-%n\n";
@@ -132,9 +194,10 @@ SlurmdDebug=error
   text += "SlurmdLogFile=" + folder + "/slurmd-%n.log\n";
   text += "SlurmctldPort=" + std::to_string(ports[0]) + "\n";
   for (int i = 1; i <= nodes; ++i)
-    text += "NodeName=n" + std::to_string(i) + " NodeHostname=localhost NodeAddr=127.0.0.1 Port=" +
-            std::to_string(ports[static_cast<std::size_t>(i)]) + " CPUs=" + std::to_string(cpus) +
-            "\n";
+    text += "NodeName=n" + std::to_string(i) + " NodeHostname=localhost NodeAddr=" +
+            (shape_.apart && i == nodes ? address_apart_ : address_) +
+            " Port=" + std::to_string(ports[static_cast<std::size_t>(i)]) +
+            " CPUs=" + std::to_string(shape_.cpus) + (shape_.gpu ? " Gres=gpu:1" : "") + "\n";
   return text + "PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP\n";
 }
 
@@ -164,8 +227,12 @@ void Cluster::resume_nodes() const {
 
 void Cluster::start_node(const std::string& node) {
   fs::create_directories(folder_ / ("spool-" + node));
-  nodes_[node] =
-      std::make_unique<Process>(std::vector<std::string>{find_program("slurmd"), "-D", "-N", node});
+  std::vector<std::string> words;
+  if (shape_.apart && node == "n" + std::to_string(shape_.nodes))
+    words = {"/usr/bin/nsenter", "--target", std::to_string(namespaces_->pid()), "--net",
+             "--mount"};
+  words.insert(words.end(), {find_program("slurmd"), "-D", "-N", node});
+  nodes_[node] = std::make_unique<Process>(words);
 }
 
 /// slurmd, its slurmstepds, whose words name the node, and all that has the node in its
@@ -199,6 +266,23 @@ std::vector<pid_t> Cluster::workers() const {
         word_of(pid, "environ").find("SLURM_JOB_ID=") != std::string::npos)
       found.push_back(pid);
   return found;
+}
+
+std::vector<pid_t> Cluster::tasks_on(const std::string& node) const {
+  std::vector<pid_t> found;
+  for (const pid_t pid : processes_with("cmdline", "--batch"))
+    if (word_of(pid, "cmdline").find(folder_ / "shared") != std::string::npos &&
+        word_of(pid, "environ").find("SLURMD_NODENAME=" + node) != std::string::npos)
+      found.push_back(pid);
+  return found;
+}
+
+int Cluster::tasks_submitted() const {
+  // Each task of an array has a number of its own once it has been looked at.
+  const Ended said = run({find_program("scontrol"), "show", "config"});
+  const auto at = said.out.find("NEXT_JOB_ID");
+  if (at == std::string::npos) return 0;
+  return std::atoi(said.out.c_str() + said.out.find('=', at) + 1) - 1;
 }
 
 }  // namespace metamer::test

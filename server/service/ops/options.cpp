@@ -229,7 +229,7 @@ const std::vector<Option>& all_options() {
        .section = "cluster",
        .meaning =
            "who has the CPU's jobs: workers of this machine, or Slurm, by sbatch, squeue and "
-           "scancel; views and GL stay here",
+           "scancel; views stay here, and GL's jobs without slurm-gres",
        .at = [](Settings& all) -> OptionTarget { return &all.service.executor; },
        .words = {"local", "slurm"}},
       {.name = "slurm-folder",
@@ -242,6 +242,12 @@ const std::vector<Option>& all_options() {
        .section = "cluster",
        .meaning = "more words for sbatch, such as --partition=render or --mem-per-cpu=2G",
        .at = [](Settings& all) -> OptionTarget { return &all.service.slurm.commands.arguments; }},
+      {.name = "slurm-gres",
+       .section = "cluster",
+       .meaning =
+           "what a task of the GL backend takes of its node, as sbatch --gres has it: gpu:1; "
+           "empty: GL's jobs stay here",
+       .at = [](Settings& all) -> OptionTarget { return &all.service.slurm.commands.gres; }},
       {.name = "slurm-tasks",
        .section = "cluster",
        .meaning = "tasks that Slurm has at a time, of all jobs; each has as many CPUs as a worker "

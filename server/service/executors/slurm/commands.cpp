@@ -18,7 +18,9 @@ std::string batch_script(const SlurmCommands::Options& options,
                          const std::filesystem::path& folder) {
   return "#!/bin/sh\nexec " + shell_quoted(options.worker.string()) + " --batch " +
          shell_quoted(folder.string() + "/") + "\"$SLURM_ARRAY_TASK_ID\".order --threads " +
-         std::to_string(options.threads) + (options.unconfined ? " --unconfined yes\n" : "\n");
+         std::to_string(options.threads) +
+         (options.gl_device.empty() ? "" : " --gl-device " + options.gl_device) +
+         (options.unconfined ? " --unconfined yes\n" : "\n");
 }
 
 Result<void> SlurmCommands::submit(const Submission& submission) const {
@@ -33,6 +35,7 @@ Result<void> SlurmCommands::submit(const Submission& submission) const {
       "--nice=" + std::to_string(submission.nice),
       "--chdir=" + submission.folder.string(),
       "--output=" + (submission.folder / "%a.log").string()};
+  if (!options_.gres.empty()) words.push_back("--gres=" + options_.gres);
   words.insert(words.end(), options_.arguments.begin(), options_.arguments.end());
   const auto said = run_command(words, batch_script(options_, submission.folder), {}, cancelled_);
   if (!said) return tl::unexpected(said.error());
@@ -51,13 +54,12 @@ Result<std::vector<ListedTask>> SlurmCommands::list(std::string_view prefix) con
 
 Result<void> SlurmCommands::cancel(const std::vector<std::string>& names) const {
   static const std::atomic<bool> never = false;
-  Result<void> result;
   for (const std::string& name : names)  // scancel takes one at a time
     if (const auto said = run_command({"scancel", "--quiet", "--name=" + name}, {},
                                       {.time = std::chrono::seconds(5)}, never);
         !said)
-      result = tl::unexpected(said.error());
-  return result;
+      return tl::unexpected(said.error());  // the others would be waited for in vain
+  return {};
 }
 
 }  // namespace metamer::service

@@ -29,6 +29,9 @@ class SlurmCommands {
     std::uint32_t threads = 1;           ///< Of a task, each a CPU of Slurm's.
     bool unconfined = false;             ///< As metamerd has it.
     std::vector<std::string> arguments;  ///< More words for sbatch: "--partition=render".
+    std::string gres = {};               ///< Of a task, as sbatch has it: "gpu:1"; empty: none.
+    std::string gl_device =
+        {};  ///< Where tasks draw by OpenGL, as a worker has it; empty: they don't.
   };
   /// `cancelled` ends whatever runs.
   SlurmCommands(Options options, const std::atomic<bool>& cancelled)
@@ -39,7 +42,7 @@ class SlurmCommands {
   /// The tasks whose names begin so.
   Result<std::vector<ListedTask>> list(std::string_view prefix) const;
   /// All tasks of these names; those that are none, or have ended, are no error. Also once
-  /// `cancelled` is set.
+  /// `cancelled` is set. The first error ends it.
   Result<void> cancel(const std::vector<std::string>& names) const;
 
  private:

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "server/service/executors/slurm/task_name.h"
 #include "server/service/limits.h"
@@ -40,6 +41,7 @@ double SlurmExecutor::now() const {
 
 void SlurmExecutor::start() {
   here_.start();
+  if (std::exchange(started_, true)) return;
   const auto clean = [folder = options_.folder, server = options_.server] {
     remove_leavings(folder, server);
     return true;
@@ -72,7 +74,7 @@ void SlurmExecutor::work() {
 
 /// Begins with the next job that can be rendered. False: there is none.
 bool SlurmExecutor::take_next() {
-  const JobQueue::JobPtr job = queue_.next(v1::CPU);
+  const JobQueue::JobPtr job = queue_.next(options_.backend);
   if (!job) return false;
   auto obstacle = job->damage();
   if (!obstacle) {

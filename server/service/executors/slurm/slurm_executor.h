@@ -26,8 +26,9 @@ namespace metamer::service {
 class SlurmExecutor final : public Executor {
  public:
   struct Options {
-    std::filesystem::path folder;  ///< That all nodes see, at the same path.
-    std::filesystem::path store;   ///< Of assets; nodes see it likewise.
+    v1::Backend backend = v1::CPU;  ///< Whose jobs; by GL where the commands name its device.
+    std::filesystem::path folder;   ///< That all nodes see, at the same path.
+    std::filesystem::path store;    ///< Of assets; nodes see it likewise.
     SlurmCommands::Options commands;
     SlurmRun::Options run;
     std::uint64_t tasks = 64;  ///< With Slurm at a time.
@@ -101,6 +102,7 @@ class SlurmExecutor final : public Executor {
   void on_survey(Survey survey);
   void take(std::vector<FoundResult> results);
   void take(const std::vector<ListedTask>& listing);
+  void lose(std::vector<TaskBook::Loss> losses);
   void remove_old_folders();
   void give_way();
   void say_where();
@@ -112,6 +114,7 @@ class SlurmExecutor final : public Executor {
   JobQueue& queue_;
   Executor& here_;
   std::atomic<bool> ending_ = false;
+  bool started_ = false;
   SlurmCommands commands_;
   TaskBook book_;
   std::vector<RunPtr> runs_;

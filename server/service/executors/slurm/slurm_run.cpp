@@ -254,6 +254,10 @@ void SlurmRun::lose(std::uint64_t attempt, const std::string& reason, bool count
                 fmt::format("a task was lost {} times: {}", max_losses, reason));
 }
 
+bool SlurmRun::has_out(const TaskKey& key) const {
+  return std::any_of(out_.begin(), out_.end(), [&](const Out& one) { return one.key == key; });
+}
+
 void SlurmRun::lose(const TaskBook::Loss& loss) {
   const auto found =
       std::find_if(out_.begin(), out_.end(), [&](const Out& one) { return one.key == loss.key; });

@@ -67,6 +67,7 @@ class SlurmRun {
     std::optional<TaskKey> key;  ///< Nothing: on its way to Slurm.
   };
   const std::vector<Out>& out() const { return out_; }
+  bool has_out(const TaskKey& key) const;
 
  private:
   enum class Stage { planning, rendering, concluding };

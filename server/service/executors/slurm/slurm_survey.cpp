@@ -11,7 +11,8 @@
 namespace metamer::service {
 
 void SlurmExecutor::look_later() {
-  const bool has_to_look = !runs_.empty() || !leavings_.empty() || queue_.has_work(v1::CPU);
+  const bool has_to_look =
+      !runs_.empty() || !leavings_.empty() || queue_.has_work(options_.backend);
   if (ending_ || looking_ || looks_later_ || !has_to_look) return;
   looks_later_ = true;
   next_look_.expires_after(options_.look);
@@ -73,16 +74,36 @@ void SlurmExecutor::take(std::vector<FoundResult> results) {
 
 void SlurmExecutor::take(const std::vector<ListedTask>& listing) {
   charge_job();  // those that ran up to now
-  for (const TaskBook::Loss& loss : book_.reconcile(listing, now())) {
-    ++losses_;
-    for (const RunPtr& run : runs_) run->lose(loss);
-  }
+  lose(book_.reconcile(listing, now()));
   // A task that has just ended may still be listed as running: one that is strange twice is.
   std::vector<std::string> strange = book_.strangers(listing), still;
   std::set_intersection(strange.begin(), strange.end(), strange_.begin(), strange_.end(),
                         std::back_inserter(still));
   strange_ = std::move(strange);
   cancel(std::move(still));
+}
+
+/// What a task has said itself says more of its end than Slurm does.
+void SlurmExecutor::lose(std::vector<TaskBook::Loss> losses) {
+  if (losses.empty()) return;
+  losses_ += static_cast<std::uint32_t>(losses.size());
+  std::vector<std::filesystem::path> logs(losses.size());
+  for (std::size_t i = 0; i < losses.size(); ++i)
+    for (const TaskKey& key = losses[i].key; const RunPtr& run : runs_)
+      if (run->has_out(key))
+        logs[i] = run->folder() / key.name / (std::to_string(key.index) + ".log");
+  const auto read = [losses = std::move(losses), logs]() mutable {
+    for (std::size_t i = 0; i < losses.size(); ++i)
+      if (const std::string words = last_words(logs[i]); !words.empty())
+        losses[i].reason += ": " + words;
+    return std::move(losses);
+  };
+  elsewhere(read, [this](const std::vector<TaskBook::Loss>& lost) {
+    for (const TaskBook::Loss& loss : lost)
+      for (const RunPtr& run : runs_) run->lose(loss);
+    end_what_is_over();
+    work();
+  });
 }
 
 void SlurmExecutor::remove_old_folders() {
@@ -100,7 +121,7 @@ void SlurmExecutor::remove_old_folders() {
 
 /// A job that has had its turn gives it up where another has to wait for one.
 void SlurmExecutor::give_way() {
-  if (runs_.size() < most_runs || !queue_.has_work(v1::CPU)) return;
+  if (runs_.size() < most_runs || !queue_.has_work(options_.backend)) return;
   for (const RunPtr& run : runs_) {
     if (run->draining() || !queue_.gives_way(run->job())) continue;
     run->drain();
@@ -137,13 +158,13 @@ void SlurmExecutor::note_trouble(std::string& where, const std::string& what) {
     spdlog::warn("Slurm does not take tasks: {}", trouble);
   else
     spdlog::info("Slurm takes tasks again");
-  queue_.hold(v1::CPU, trouble);
+  queue_.hold(options_.backend, trouble);
 }
 
 v1::WorkerInfo SlurmExecutor::info() const {
   v1::WorkerInfo info;
   info.set_state(runs_.empty() ? "idle" : "busy");
-  info.set_backend("cpu by Slurm");
+  info.set_backend(options_.backend == v1::GL ? "gl by Slurm" : "cpu by Slurm");
   info.set_starts(submissions_);
   info.set_last_exit(trouble_);
   info.set_sandbox("as its nodes have it");

@@ -1,9 +1,11 @@
 #include "server/service/executors/slurm/spool.h"
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <optional>
 
+#include "common/printable.h"
 #include "common/wire/batch_file.h"
 
 namespace metamer::service {
@@ -88,6 +90,22 @@ std::vector<FoundResult> take_results(const std::vector<fs::path>& folders) {
     }
   }
   return results;
+}
+
+std::string last_words(const fs::path& log) {
+  constexpr std::size_t most = 300;
+  std::ifstream in(log, std::ios::binary | std::ios::ate);
+  const std::streamoff size = in ? static_cast<std::streamoff>(in.tellg()) : 0;
+  std::string text(
+      std::min<std::size_t>(most, static_cast<std::size_t>(std::max<std::streamoff>(size, 0))),
+      '\0');
+  in.seekg(-static_cast<std::streamoff>(text.size()), std::ios::end);
+  if (!in.read(text.data(), static_cast<std::streamsize>(text.size()))) return {};
+  const auto end = text.find_last_not_of(" \n");
+  if (end == text.npos) return {};
+  const auto before = text.rfind('\n', end);
+  const auto begin = before == text.npos ? 0 : before + 1;
+  return printable(text.substr(begin, end + 1 - begin));
 }
 
 void remove_leavings(const fs::path& folder, const std::string& prefix) {

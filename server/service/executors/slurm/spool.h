@@ -35,6 +35,9 @@ Result<void> write_picture(const std::filesystem::path& file, const std::string&
 /// the next call.
 std::vector<FoundResult> take_results(const std::vector<std::filesystem::path>& folders);
 
+/// The last line of what a task has said, as others may be shown it; empty: it has said nothing.
+std::string last_words(const std::filesystem::path& log);
+
 /// Removes what is in `folder` under names that begin so: what an earlier server has left.
 void remove_leavings(const std::filesystem::path& folder, const std::string& prefix);
 

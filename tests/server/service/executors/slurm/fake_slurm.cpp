@@ -23,6 +23,8 @@ for word; do
   esac
 done
 cat > "script.$name"
+[ -e script ] || cp "script.$name" script
+[ -e speechless ] && printf 'echo "metamer-worker: the disk is full\007" >&2; exit 1\n' > "script.$name"
 i=0
 while [ $i -le $last ]; do
   echo x >> submitted
@@ -111,6 +113,11 @@ std::string FakeSlurm::first_words() const {
   std::string line;
   std::getline(in, line);
   return line;
+}
+
+std::string FakeSlurm::first_script() const {
+  std::ifstream in(folder_ / "script");
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 void FakeSlurm::list_stranger(const std::string& name) const {

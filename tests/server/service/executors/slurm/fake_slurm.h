@@ -13,6 +13,7 @@ namespace metamer::service::test {
 ///     forget      sbatch says a number, and that is all that comes of it
 ///     hold        tasks wait until the word is taken back
 ///     nothing     tasks end without running anything
+///     speechless  tasks fail without a result, and say why
 class FakeSlurm {
  public:
   FakeSlurm();
@@ -26,6 +27,8 @@ class FakeSlurm {
   std::size_t cancelled() const;
   /// All words of the sbatch that came first.
   std::string first_words() const;
+  /// What its tasks ran.
+  std::string first_script() const;
   /// A task that nobody here has submitted is listed as running.
   void list_stranger(const std::string& name) const;
   bool was_cancelled(const std::string& name) const;

@@ -60,6 +60,14 @@ class Slurm : public testing::Test {
     }
   }
   SlurmStory render(const std::string& script) { return follow(client_->submit(script)); }
+  /// Twelve tiles.
+  std::uint64_t submit_gl() {
+    v1::Envelope message;
+    message.mutable_submit()->set_name("scene");
+    message.mutable_submit()->set_scene_sha256(client_->upload({"picture 64 48 16"})[0]);
+    message.mutable_submit()->set_backend(v1::GL);
+    return client_->ask(message).submitted().job_id();
+  }
   static void expect_once(const SlurmStory& story, std::size_t tiles) {
     EXPECT_TRUE(story.end.has_finished()) << story.end.ShortDebugString();
     EXPECT_EQ(story.tiles.size(), tiles);
@@ -100,6 +108,23 @@ TEST_F(Slurm, MakesThePictureOfThisMachinesWorkerAndEachTileOnce) {
             std::string::npos);
   EXPECT_NE(slurm_.first_words().find("--array=0-0 --ntasks=1 --cpus-per-task=1 --nice=100"),
             std::string::npos);
+}
+
+TEST_F(Slurm, GlIsDrawnByTasksThatTakeAGpuWhereTheyAreToldWhich) {
+  start([](ServiceOptions& options) { options.slurm.commands.gres = "gpu:1"; });
+  const std::uint64_t job = submit_gl();
+  expect_once(follow(job), 12);
+  EXPECT_NE(slurm_.first_words().find(" --gres=gpu:1"), std::string::npos) << slurm_.first_words();
+  EXPECT_NE(slurm_.first_script().find(" --gl-device auto"), std::string::npos)
+      << slurm_.first_script();
+  EXPECT_EQ(slurm_.submitted(), 9u);
+}
+
+TEST_F(Slurm, GlStaysHereWithoutAGpuToAskFor) {
+  start();
+  const std::uint64_t job = submit_gl();
+  expect_once(follow(job), 12);
+  EXPECT_EQ(slurm_.submitted(), 0u);
 }
 
 TEST_F(Slurm, TasksAreAsLongAsIsWorthTheirStart) {
@@ -158,6 +183,16 @@ TEST_F(Slurm, TaskThatEndsThriceWithoutAResultFailsItsJobAndNoOther) {
             "a task was lost 3 times: ended as COMPLETED without a result on fake1");
   slurm_.take_back("nothing");
   expect_once(render(twelve), 12);
+}
+
+TEST_F(Slurm, TaskThatCanLeaveNoResultSaysWhy) {
+  start();
+  slurm_.say("speechless");
+  const SlurmStory story = render(twelve);
+  ASSERT_TRUE(story.end.has_failed());
+  EXPECT_EQ(story.end.failed().reason(),
+            "a task was lost 3 times: ended as FAILED without a result on fake1: "
+            "metamer-worker: the disk is full?");
 }
 
 TEST_F(Slurm, WorkerThatCrashesThriceFailsItsJobAndOnceDoesNot) {
