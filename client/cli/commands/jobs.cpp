@@ -31,7 +31,8 @@ Json series_json(const ListedSeries& one) {
           {"finished", one.finished},
           {"failed", one.failed},
           {"cancelled", one.cancelled},
-          {"gone", one.gone}};
+          {"gone", one.gone},
+          {"to_come", one.to_come}};
 }
 
 void list_job(const v1::JobSummary& job, const Session& session, bool why, Report& report) {

@@ -43,12 +43,15 @@ void count_job(const v1::JobSummary& job, ListedSeries& series) {
     series.places.push_back(job.reason());
 }
 
-v1::JobState state_of(const ListedSeries& series) {
-  if (series.running > 0) return v1::RUNNING;
-  if (series.paused > 0) return v1::PAUSED;
-  if (series.queued > 0) return v1::QUEUED;
-  if (series.failed > 0) return v1::FAILED;
-  return series.cancelled > 0 ? v1::CANCELLED : v1::FINISHED;
+/// "partial": nothing of it runs or waits, and not all was submitted. Who submits it is about to
+/// send the next one, or gone.
+const char* state_word(const ListedSeries& series) {
+  if (series.running > 0) return word(v1::RUNNING);
+  if (series.paused > 0) return word(v1::PAUSED);
+  if (series.queued > 0) return word(v1::QUEUED);
+  if (series.failed > 0) return word(v1::FAILED);
+  if (series.cancelled > 0) return word(v1::CANCELLED);
+  return series.to_come > 0 ? "partial" : word(v1::FINISHED);
 }
 
 /// "2 running on n1; 1 failed"
@@ -67,6 +70,7 @@ std::string details(const ListedSeries& series) {
   add(series.failed, "failed");
   add(series.cancelled, "cancelled");
   add(series.gone, "no longer listed");
+  add(series.to_come, "to come");
   return text;
 }
 
@@ -90,9 +94,12 @@ std::vector<ListedSeries> listed_series(const v1::JobList& list) {
     count_job(job, all[place->second]);
     indices[place->second].insert(job.series().index());
   }
-  for (std::size_t i = 0; i < all.size(); ++i)
-    all[i].gone =
-        static_cast<std::uint32_t>(std::uint64_t{*indices[i].rbegin()} + 1 - indices[i].size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::uint64_t before_next = std::uint64_t{*indices[i].rbegin()} + 1;
+    all[i].gone = static_cast<std::uint32_t>(before_next - indices[i].size());
+    if (all[i].series.count() > before_next)
+      all[i].to_come = all[i].series.count() - static_cast<std::uint32_t>(before_next);
+  }
   return all;
 }
 
@@ -100,7 +107,7 @@ std::string describe(const ListedSeries& series) {
   const std::string user = series.user.empty() ? "-" : printable(series.user);
   const std::string more = details(series);
   return formatted("%16s  %-9s  %11s  %8s  %-3s  ", series_handle(series.series.id()).c_str(),
-                   word(state_of(series)),
+                   state_word(series),
                    formatted("%u of %u", series.finished, series.series.count()).c_str(),
                    clock(series.age).c_str(), series.backend == v1::GL ? "gl" : "cpu") +
          user + "  " + printable(series.series.name()) + (more.empty() ? "" : "  (" + more + ")");

@@ -18,6 +18,7 @@ struct ListedSeries {
   std::uint32_t queued = 0, running = 0, paused = 0, finished = 0, failed = 0, cancelled = 0;
   /// Jobs before the newest that are listed no more: a server keeps so many that have ended.
   std::uint32_t gone = 0;
+  std::uint32_t to_come = 0;        ///< After it, which nobody has submitted yet.
   std::vector<std::string> places;  ///< Where those that run are, as far as that is said.
 
   std::uint32_t live() const { return queued + running + paused; }

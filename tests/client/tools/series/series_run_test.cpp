@@ -217,9 +217,15 @@ TEST(SeriesList, CountsWhatBecameOfEachAndWhatIsGone) {
   EXPECT_EQ(all[0].gone, 3u) << "0, 1 and 3";
   EXPECT_EQ(describe(all[0]),
             " series:61616161  running         1 of 9      1:39  cpu  ann  series a  (1 running: 1 "
-            "task on n1; 1 queued; 3 no longer listed)");
+            "task on n1; 1 queued; 3 no longer listed; 3 to come)");
+  v1::JobList alone;
+  *alone.add_job() = listed(1, v1::FINISHED, 'a', 0);
+  EXPECT_NE(describe(listed_series(alone)[0]).find("  partial  "), std::string::npos);
+  alone.mutable_job(0)->mutable_series()->set_count(1);
+  EXPECT_NE(describe(listed_series(alone)[0]).find("  finished  "), std::string::npos);
   EXPECT_EQ(describe(all[1]),
-            " series:62626262  failed          0 of 9      1:37  cpu  ann  series b  (1 failed)");
+            " series:62626262  failed          0 of 9      1:37  cpu  ann  series b  (1 failed; 8 "
+            "to come)");
 }
 
 TEST(SeriesList, OneIsFoundByItsFirstBytesOrItsName) {
