@@ -29,23 +29,24 @@ Result<void> MultiPass::run(const Programs& programs, const Geometry& geometry,
   light_values_.bind_storage(12);
   observer_.bind_storage(8);
   glBindTextureUnit(1, target_.texture());
-  for (const Program* program : {&programs.pass_triangles, &programs.pass_spheres}) {
+  for (const Program* program : {&programs.pass_triangles, &programs.pass_spheres})
     view.set(*program, place);
-    program->set("light_count", lights_);
-  }
   view.set(programs.combine, place);
   programs.combine.set("value_size", groups_);
-  for (std::uint32_t group = 0; group < groups_ && !control.cancelled; ++group) {
-    for (const Program* program :
-         {&programs.pass_triangles, &programs.pass_spheres, &programs.combine})
-      program->set("group", group);
-    target_.begin();
-    places.bind_storage(3);  // until spheres are drawn
-    geometry.draw(programs.pass_triangles, programs.pass_spheres);
-    programs.combine.use();
-    dispatch_over(region);
-    ++control.work;
-  }
+  for (std::uint32_t group = 0; group < groups_; ++group)
+    for (std::uint32_t light = 0; light < lights_ && !control.cancelled; ++light) {
+      for (const Program* program :
+           {&programs.pass_triangles, &programs.pass_spheres, &programs.combine})
+        program->set("group", group);
+      for (const Program* program : {&programs.pass_triangles, &programs.pass_spheres})
+        program->set("light", light);
+      target_.begin();
+      places.bind_storage(3);  // until spheres are drawn
+      geometry.draw(programs.pass_triangles, programs.pass_spheres);
+      programs.combine.use();
+      dispatch_over(region);
+      ++control.work;
+    }
   return {};
 }
 

@@ -1,10 +1,10 @@
-// Four wavelengths of all lights' reflection, as the source's hardware had it: everything is drawn and
-// evaluated anew for the next four. PRIMITIVE is the name of what is drawn.
+// Four wavelengths of a light's reflection, as the source's hardware had it: everything is drawn and
+// evaluated anew for the next four, and for the next light, since llvmpipe cuts long loops short. PRIMITIVE is the name of what is drawn.
 
 layout(binding = 0) uniform usampler2D seen;
 layout(location = 0) out vec4 values;
 layout(std430, binding = 12) readonly buffer LightValues { vec4 light_value_of[]; };
-uniform uint light_count;
+uniform uint light;
 uniform uint group;  // of four wavelengths
 
 vec4 row_values(uint row) { return value_of[row * row_stride + group]; }
@@ -21,13 +21,8 @@ void main() {
     values = vec4(0.0);
     if (!surface.found) return;
     uint base = object_of[surface.object].material * material_size;
-    vec4 diffuse = row_values(word_of[base + material_diffuse]);
-    vec4 specular = row_values(word_of[base + material_specular]);
-    for (uint light = 0u; light < light_count; ++light) {
-        weights = vec3(0.0);
-        fresnel = vec4(0.0);
-        reflect_light(light, surface, direction);
-        values += light_value_of[light * value_size + group] *
-                  (weights.x * diffuse + weights.y * specular + weights.z + fresnel);
-    }
+    reflect_light(light, surface, direction);
+    values = light_value_of[light * value_size + group] *
+             (weights.x * row_values(word_of[base + material_diffuse]) +
+              weights.y * row_values(word_of[base + material_specular]) + weights.z + fresnel);
 }

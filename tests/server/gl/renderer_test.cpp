@@ -130,5 +130,25 @@ TEST_F(GlRenderer, AgreesWithTheCpuForEveryModelShadingAndMethod) {
   EXPECT_TRUE(report.is_written());
 }
 
+// Two lights and so many boxes that one shader for both lights runs into llvmpipe's limit of loops,
+// where blocks of pixels are at an edge.
+TEST_F(GlRenderer, MultiplePassesGiveTheBoothAsOnePassDoes) {
+  SceneOnDisk booth = read_deployed("booth/booth.txtpb");
+  booth.message.mutable_settings()->set_width(80);
+  booth.message.mutable_settings()->set_height(60);
+  booth.message.mutable_settings()->set_spp(1);
+  const Pictures pictures(booth);
+  ProgramCache programs;
+  v1::Method method = test::uniform(400, 700, 100);
+  const auto one = pictures.by_gl(method, programs);
+  method.mutable_point()->set_multi_pass(true);
+  const auto many = pictures.by_gl(method, programs);
+  ASSERT_TRUE(one && many);
+  const float brightest = *std::max_element(one->begin(), one->end());
+  EXPECT_GT(brightest, 0.1f);
+  for (std::size_t i = 0; i < one->size(); ++i)
+    ASSERT_NEAR((*one)[i], (*many)[i], 1e-5f * brightest) << i;
+}
+
 }  // namespace
 }  // namespace metamer::gl
