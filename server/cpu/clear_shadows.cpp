@@ -42,16 +42,16 @@ class Way {
 
 }  // namespace
 
-void light_through(const Media& media, const EmbreeScene& geometry, const Vec8& to_light,
-                   Float8 reach, Packet& packet, Workspace& workspace) {
+void light_through(const Media& media, const EmbreeScene& geometry, const Vectors& to_light,
+                   Floats reach, Packet& packet, Workspace& workspace) {
   Way way(media, packet, workspace);
   Packet at;
   at.direction = to_light;
   MediaStacks inside = *packet.inside;
-  Vec8 origin = packet.point, from = packet.hit;
-  Int8 left = packet.active, lit{};
+  Vectors origin = packet.point, from = packet.hit;
+  Ints left = packet.active, lit{};
   for (unsigned n = 0; n < most_passed && any(left); ++n) {
-    workspace.rays += static_cast<unsigned>(count(left));
+    workspace.add_rays(RayKind::shadow, left);
     Hits hits = geometry.intersect_others(origin, to_light, reach, left, {});
     for (unsigned i = 0; i < lane_count; ++i) {
       if (!left[i] || hits.hit[i]) continue;
@@ -67,7 +67,7 @@ void light_through(const Media& media, const EmbreeScene& geometry, const Vec8& 
     if (!any(left)) break;
 
     // Go through what was met.
-    const Vec8 hit = at.hit;
+    const Vectors hit = at.hit;
     const Media::Crossing crossing = media.cross(at, hits, left, inside);
     left = crossing.passed & ~crossing.lost;
     packet.throughput *= 1.0f - crossing.layer;
@@ -80,7 +80,7 @@ void light_through(const Media& media, const EmbreeScene& geometry, const Vec8& 
     }
     origin = select(left, crossing.beyond, origin);
     from = hit;
-    reach = max(reach - hits.distance, Float8{});
+    reach = max(reach - hits.distance, Floats{});
   }
   packet.active = lit;
 }

@@ -10,7 +10,7 @@ namespace metamer::cpu {
 /// What stays active is lit; its chain goes on by what the light meets: the interfaces at the
 /// straight ray's angle, taken as that on their rarer side, and the media between. Light that a
 /// surface bends and gathers, a caustic, is not found.
-void light_through(const Media& media, const EmbreeScene& geometry, const Vec8& to_light,
-                   Float8 reach, Packet& packet, Workspace& workspace);
+void light_through(const Media& media, const EmbreeScene& geometry, const Vectors& to_light,
+                   Floats reach, Packet& packet, Workspace& workspace);
 
 }  // namespace metamer::cpu

@@ -7,7 +7,7 @@
 #include <new>
 #include <numbers>
 
-#include "server/cpu/renderer.h"
+#include "server/cpu/isa/isa.h"
 #include "server/scene/placement.h"
 
 namespace metamer::cpu {
@@ -98,17 +98,17 @@ bool keep_building(void* cancelled, double) {
   return !static_cast<const std::atomic<bool>*>(cancelled)->load(std::memory_order_relaxed);
 }
 
-std::atomic<bool> kept_to_avx2 = false;
+const Float3* vertices_of(RTCGeometry geometry) {
+  return static_cast<const Float3*>(rtcGetGeometryBufferData(geometry, RTC_BUFFER_TYPE_VERTEX, 0));
+}
 
 }  // namespace
-
-void keep_to_avx2() { kept_to_avx2 = true; }
 
 std::optional<EmbreeScene> EmbreeScene::build(const RenderScene& scene,
                                               const std::atomic<bool>& cancelled) {
   EmbreeScene result;
-  result.device_.reset(rtcNewDevice(kept_to_avx2 ? "tessellation_cache_size=0,isa=avx2"
-                                                 : "tessellation_cache_size=0"));
+  const std::string limit = embree_isa().empty() ? "" : ",isa=" + embree_isa();
+  result.device_.reset(rtcNewDevice(("tessellation_cache_size=0" + limit).c_str()));
   const RTCDevice device = result.device_.get();
   // Then it is looked with every hit whether it counts.
   result.passed_ = !scene.media.empty() || scene.has_alpha();
@@ -125,6 +125,7 @@ std::optional<EmbreeScene> EmbreeScene::build(const RenderScene& scene,
   for (const RenderObject& object : scene.objects)
     if (object.shape == RenderObject::Shape::mesh) ++uses[object.mesh];
   result.shared_scenes_.resize(scene.meshes.size());
+  std::vector<const Float3*> vertices(scene.meshes.size());
   std::vector<Eigen::Vector3d> centers;
   for (const TriangleMesh& mesh : scene.meshes) centers.push_back(center_of(mesh));
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
@@ -132,6 +133,7 @@ std::optional<EmbreeScene> EmbreeScene::build(const RenderScene& scene,
     result.shared_scenes_[i] = new_scene();
     RTCGeometry geometry =
         triangles(device, scene.meshes[i], centers[i], Eigen::Affine3d::Identity());
+    vertices[i] = vertices_of(geometry);
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(result.shared_scenes_[i].get(), geometry);
     rtcReleaseGeometry(geometry);
@@ -168,7 +170,8 @@ std::optional<EmbreeScene> EmbreeScene::build(const RenderScene& scene,
     if (!is_shared)
       result.add_placed(centered, *placed.mesh);
     else
-      result.add_instance(centered, result.shared_scenes_[object.mesh].get());
+      result.add_instance(centered, result.shared_scenes_[object.mesh].get(),
+                          vertices[object.mesh]);
   }
   rtcJoinCommitScene(result.scene_.get());
   if (cancelled) return std::nullopt;
@@ -196,7 +199,9 @@ void EmbreeScene::add_placed(const RenderObject& object, const TriangleMesh& mes
   Placed& placed = placed_.back();
   placed.normals = normals_.emplace_back(mapped_normals(mesh, normal_map(object.to_world))).data();
   if (mesh.normals.empty()) placed.normals = nullptr;
-  attach(triangles(device_.get(), mesh, to_vector(placed.center), object.to_world));
+  RTCGeometry geometry = triangles(device_.get(), mesh, to_vector(placed.center), object.to_world);
+  placed.vertices = vertices_of(geometry);
+  attach(geometry);
 }
 
 void EmbreeScene::add_sphere(const RenderObject& object) {
@@ -211,10 +216,19 @@ void EmbreeScene::add_sphere(const RenderObject& object) {
     *vertex = {c[0], c[1], c[2], static_cast<float>(radius)};
     return geometry;
   };
+  Ball& ball_of = placed_.back().ball;
+  ball_of.center = to_array(object.to_world.translation());
   if (const auto scale = uniform_scale(shape)) {
-    attach(sphere(object.to_world.translation(), std::ldexp(*scale, exponent)));
+    const double radius = std::ldexp(*scale, exponent);
+    ball_of.from_world = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    ball_of.radius = static_cast<float>(radius);
+    attach(sphere(object.to_world.translation(), radius));
     return;
   }
+  const Eigen::Matrix3d from_world = shape.inverse();
+  for (Eigen::Index row = 0; row < 3; ++row)
+    ball_of.from_world[static_cast<std::size_t>(row)] = to_array(from_world.row(row).transpose());
+  ball_of.radius = static_cast<float>(std::ldexp(1.0, exponent));
   // An ellipsoid is an instance of a sphere of about its size.
   RTCScene ball = empty_scene();
   RTCGeometry geometry = sphere(Eigen::Vector3d::Zero(), std::ldexp(1.0, exponent));
@@ -225,10 +239,11 @@ void EmbreeScene::add_sphere(const RenderObject& object) {
   shared_scenes_.emplace_back(ball);
   RenderObject shaped = object;
   shaped.to_world.linear() = shape;
-  add_instance(shaped, ball);
+  add_instance(shaped, ball, nullptr);
 }
 
-void EmbreeScene::add_instance(const RenderObject& object, RTCScene shared) {
+void EmbreeScene::add_instance(const RenderObject& object, RTCScene shared,
+                               const Float3* vertices) {
   RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE);
   rtcSetGeometryInstancedScene(geometry, shared);
   const Eigen::Matrix<float, 3, 4, Eigen::RowMajor> map = object.to_world.affine().cast<float>();
@@ -236,6 +251,7 @@ void EmbreeScene::add_instance(const RenderObject& object, RTCScene shared) {
   Placed& placed = placed_.back();
   if (placed.mesh != nullptr && !placed.mesh->normals.empty())
     placed.normals = placed.mesh->normals.data();
+  placed.vertices = vertices;
   placed.instance = true;
   const Eigen::Matrix3d normal = normal_map(object.to_world);
   for (int row = 0; row < 3; ++row)

@@ -9,29 +9,30 @@
 #include <vector>
 
 #include "server/cpu/corners.h"
+#include "server/cpu/embree_packet.h"
 #include "server/cpu/lanes.h"
 #include "server/cpu/planes.h"
 #include "server/scene/render_scene.h"
 
 namespace metamer::cpu {
 
-/// What eight camera or mirror rays have met.
+/// What the rays of a packet have met.
 struct Hits {
-  Int8 hit;               ///< Mask.
-  Float8 distance;        ///< Along the ray, where it hit.
-  Int8 material{};        ///< Index into RenderScene::materials, where it hit.
-  Vec8 geometric_normal;  ///< Unit, on the ray's side.
-  Vec8 normal;            ///< Unit: interpolated where the mesh has normals; on the same side.
-  Vec8 tangent{};         ///< Of any length; only in scenes that look at it.
-  Int8 object{};          ///< For EmbreeScene::shading and corners.
-  Int8 primitive{};       ///< The triangle of that object.
-  Float8 u{}, v{};        ///< Barycentric, of its second and third corner.
-  Int8 interpolated{};    ///< Mask: the object's shading is not PHONG.
-  Int8 inverted{};        ///< Mask: `normal` is opposite to the surface's own.
-  Int8 behind{};          ///< Mask: the ray met the back of the surface, by Embree's normal.
+  Ints hit;                  ///< Mask.
+  Floats distance;           ///< Along the ray, where it hit.
+  Ints material{};           ///< Index into RenderScene::materials, where it hit.
+  Vectors geometric_normal;  ///< Unit, on the ray's side.
+  Vectors normal;            ///< Unit: interpolated where the mesh has normals; on the same side.
+  Vectors tangent{};         ///< Of any length; only in scenes that look at it.
+  Ints object{};             ///< For EmbreeScene::shading and corners.
+  Ints primitive{};          ///< The triangle of that object.
+  Floats u{}, v{};           ///< Barycentric, of its second and third corner.
+  Ints interpolated{};       ///< Mask: the object's shading is not PHONG.
+  Ints inverted{};           ///< Mask: `normal` is opposite to the surface's own.
+  Ints behind{};             ///< Mask: the ray met the back of the surface, by Embree's normal.
 };
 
-/// Surfaces that eight rays have passed, a few for each: objects and primitives.
+/// Surfaces that the rays of a packet have passed, a few for each: objects and primitives.
 class Passed {
  public:
   static constexpr std::size_t most = 8;
@@ -61,18 +62,18 @@ class EmbreeScene {
                                           const std::atomic<bool>& cancelled);
   static std::optional<EmbreeScene> build(RenderScene&&, const std::atomic<bool>&) = delete;
 
-  /// The first hits of eight rays with unit directions. Lanes outside `active`, and rays that are
+  /// The first hits of rays with unit directions. Lanes outside `active`, and rays that are
   /// not finite, hit nothing and never reach Embree (it would abort).
-  Hits intersect(const Vec8& origin, const Vec8& direction, Int8 active) const;
+  Hits intersect(const Vectors& origin, const Vectors& direction, Ints active) const;
 
   /// The same of the segments origin + t direction, 0 < t < length, but for what they have passed;
   /// in scenes with media or alpha.
-  Hits intersect_others(const Vec8& origin, const Vec8& direction, Float8 length, Int8 active,
+  Hits intersect_others(const Vectors& origin, const Vectors& direction, Floats length, Ints active,
                         const Passed& passed) const;
 
   /// Which of the segments origin + t direction, 0 < t < length, are free. Inactive lanes and rays
   /// that are not finite are not.
-  Int8 visible(const Vec8& origin, const Vec8& direction, Float8 length, Int8 active) const;
+  Ints visible(const Vectors& origin, const Vectors& direction, Floats length, Ints active) const;
 
   /// Of an object that was hit. A sphere's shading is PHONG; it has no corners.
   v1::Shading shading(int object) const {
@@ -100,11 +101,19 @@ class EmbreeScene {
   using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice>;
   using SceneHandle = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScene>;
 
+  /// A sphere: |A (p − center)| = radius. A is near 1, however small the sphere is.
+  struct Ball {
+    std::array<std::array<float, 3>, 3> from_world;  ///< A, by rows.
+    Float3 center;
+    float radius;
+  };
   /// An object, by the number of its geometry in the top scene.
   struct Placed {
     std::uint32_t material;
     v1::Shading shading;
-    const TriangleMesh* mesh = nullptr;              ///< Null: a sphere or plane.
+    const TriangleMesh* mesh = nullptr;  ///< Null: a sphere or plane.
+    const Float3* vertices = nullptr;    ///< In the world; an instance's in its own space.
+    Ball ball{};                         ///< Of a sphere.
     std::array<std::array<float, 4>, 3> to_world{};  ///< Rows.
     const Float3* normals =
         nullptr;       ///< Of its vertices; an instance's in its own space. Null: flat.
@@ -118,14 +127,19 @@ class EmbreeScene {
   };
 
   EmbreeScene() = default;
-  Hits read(const RTCRayHit8& rays, const Vec8& origin, const Vec8& direction, Int8 sound,
+  Hits read(const RayHits& rays, const Vectors& origin, const Vectors& direction, Ints sound,
             const Passed* passed) const;
+  struct MetTriangles;
+  void find(const RayHits& rays, unsigned first, Ints same, MetTriangles& met, Hits& hits) const;
+  static void meet_triangles(const MetTriangles& met, const Vectors& origin,
+                             const Vectors& direction, Hits& hits);
+  static void meet_sphere(const Placed& placed, const Vectors& origin, const Vectors& direction,
+                          unsigned lane, Hits& hits);
   void add_placed(const RenderObject& object, const TriangleMesh& mesh);
   void add_sphere(const RenderObject& object);
-  void add_instance(const RenderObject& object, RTCScene shared);
+  void add_instance(const RenderObject& object, RTCScene shared, const Float3* vertices);
   RTCScene empty_scene() const;
   void attach(RTCGeometry geometry);
-  void shading_normal(const RTCRayHit8& rays, int lane, Hits& hits) const;
   std::array<float, 3> corner_tangent(const Placed& placed, std::uint32_t vertex) const;
   void shading_tangents(Hits& hits) const;
 

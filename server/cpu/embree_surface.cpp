@@ -1,4 +1,4 @@
-// What an EmbreeScene knows of a point on a surface: normals, tangents, corners.
+// What an EmbreeScene knows of a point on a surface: tangents, corners, UVs.
 
 #include <algorithm>
 #include <cmath>
@@ -37,46 +37,6 @@ UvTriangle uv_triangle(const TriangleMesh& mesh, std::size_t primitive, const Co
 
 }  // namespace
 
-void EmbreeScene::shading_normal(const RTCRayHit8& rays, int lane, Hits& hits) const {
-  const unsigned instance = rays.hit.instID[0][lane];
-  const bool instanced = instance != RTC_INVALID_GEOMETRY_ID;
-  const unsigned object = instanced ? instance : rays.hit.geomID[lane];
-  const Placed& placed = placed_[object];
-  hits.object[lane] = static_cast<int>(object);
-  hits.primitive[lane] = static_cast<int>(rays.hit.primID[lane]);
-  hits.material[lane] = static_cast<int>(placed.material);
-  if (interpolated_ && placed.shading != v1::PHONG) hits.interpolated[lane] = -1;
-  const auto set = [lane](Vec8& to, const std::array<float, 3>& v) {
-    to.x[lane] = v[0];
-    to.y[lane] = v[1];
-    to.z[lane] = v[2];
-  };
-
-  // Interpolate the corners' normals; E: n = (1 − u − v) n₀ + u n₁ + v n₂.
-  if (const Float3* const normals = placed.normals) {
-    const Triangle& corner = placed.mesh->triangles[rays.hit.primID[lane]];
-    const Float3 &n0 = normals[corner[0]], &n1 = normals[corner[1]], &n2 = normals[corner[2]];
-    const float u = rays.hit.u[lane], v = rays.hit.v[lane], w = 1 - u - v;
-    std::array<float, 3> normal;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      normal[axis] = w * n0[axis] + u * n1[axis] + v * n2[axis];
-    set(hits.normal, normal);
-  }
-  if (!instanced) return;
-
-  // Bring an instance's normals to the world.
-  const auto to_world = [&](Vec8& to) {
-    std::array<float, 3> normal;
-    for (std::size_t row = 0; row < 3; ++row) {
-      const auto& r = placed.to_world_normals[row];
-      normal[row] = r[0] * to.x[lane] + r[1] * to.y[lane] + r[2] * to.z[lane];
-    }
-    set(to, normal);
-  };
-  to_world(hits.geometric_normal);
-  to_world(hits.normal);
-}
-
 /// From the mesh's UVs, else the object's x axis, in the world.
 std::array<float, 3> EmbreeScene::corner_tangent(const Placed& placed, std::uint32_t vertex) const {
   std::array<float, 3> tangent{};
@@ -87,8 +47,8 @@ std::array<float, 3> EmbreeScene::corner_tangent(const Placed& placed, std::uint
 }
 
 void EmbreeScene::shading_tangents(Hits& hits) const {
-  Vec8 across{};
-  const auto add = [](Vec8& to, int lane, const std::array<float, 3>& v, float weight) {
+  Vectors across{};
+  const auto add = [](Vectors& to, int lane, const std::array<float, 3>& v, float weight) {
     to.x[lane] += weight * v[0];
     to.y[lane] += weight * v[1];
     to.z[lane] += weight * v[2];

@@ -6,11 +6,11 @@
 
 namespace metamer::cpu {
 
-/// One of eight vectors, for what is done by lane.
-inline Eigen::Vector3f lane_of(const Vec8& v, unsigned lane) {
+/// One of the vectors, for what is done by lane.
+inline Eigen::Vector3f lane_of(const Vectors& v, unsigned lane) {
   return {v.x[lane], v.y[lane], v.z[lane]};
 }
-inline void set_lane(Vec8& v, const Eigen::Vector3f& to, unsigned lane) {
+inline void set_lane(Vectors& v, const Eigen::Vector3f& to, unsigned lane) {
   v.x[lane] = to.x();
   v.y[lane] = to.y();
   v.z[lane] = to.z();

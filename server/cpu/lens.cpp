@@ -20,16 +20,16 @@ Lens::Lens(const RenderCamera& camera)
       right_(to_lanes(camera.right)),
       up_(to_lanes(camera.up)) {}
 
-void Lens::put_rays(const Vec8& way, Packet& packet) const {
-  soft::Point8 point;
+void Lens::put_rays(const Vectors& way, Packet& packet) const {
+  soft::Points point;
   for (unsigned i = 0; i < lane_count; ++i)
     soft::Pattern{packet.sample[i], soft::hashed(packet.seed[i], lens_number)}.shuffled().put(point,
                                                                                               i);
   // Even over the disk.
-  Float8 x, y;
+  Floats x, y;
   soft::turn(point.v, x, y);
-  const Float8 radius = radius_ * sqrt(point.u);
-  const Vec8 offset = right_ * (radius * x) + up_ * (radius * y);
+  const Floats radius = radius_ * sqrt(point.u);
+  const Vectors offset = right_ * (radius * x) + up_ * (radius * y);
   packet.origin = packet.origin + offset;
   packet.direction = shared::unit(way - offset * metamer::broadcast(per_focus_));
   packet.from_lens = true;

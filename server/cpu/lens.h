@@ -14,11 +14,11 @@ class Lens {
 
   /// Rays from points of the lens in place of those from the eye. `way`: where a ray through the
   /// eye goes, of length 1 along the view. By the packet's seeds and samples.
-  void put_rays(const Vec8& way, Packet& packet) const;
+  void put_rays(const Vectors& way, Packet& packet) const;
 
  private:
   float radius_, per_focus_;  ///< per_focus_: 1 / distance of what is in focus.
-  Vec8 right_, up_;
+  Vectors right_, up_;
 };
 
 }  // namespace metamer::cpu

@@ -11,33 +11,33 @@
 namespace metamer::cpu {
 namespace {
 
-Eigen::Vector3d first_lane(const Vec8& v) { return {v.x[0], v.y[0], v.z[0]}; }
+Eigen::Vector3d first_lane(const Vectors& v) { return {v.x[0], v.y[0], v.z[0]}; }
 
-Int8 first_lane_alone() {
-  Int8 lanes{};
+Ints first_lane_alone() {
+  Ints lanes{};
   lanes[0] = -1;
   return lanes;
 }
 
 /// What each light sends to a surface that its ray has met, by its cosine: as Shading has it.
-std::vector<double> light_on(const RenderScene& scene, const EmbreeScene& geometry, const Vec8& hit,
-                             const Hits& hits) {
-  const Vec8 lifted = hit + hits.geometric_normal * shared::lift_off(hit, hits.distance);
+std::vector<double> light_on(const RenderScene& scene, const EmbreeScene& geometry,
+                             const Vectors& hit, const Hits& hits) {
+  const Vectors lifted = hit + hits.geometric_normal * shared::lift_off(hit, hits.distance);
   const soft::SoftLights soft(scene, geometry, 1);
   std::vector<double> weights =
       soft.on_surface(geometry, hit, lifted, hits.normal, scene.lights.size());
   for (std::size_t l = 0; l < scene.lights.size(); ++l) {
     const RenderLight& light = scene.lights[l];
     if (light.source != RenderLight::Source::place) continue;
-    lights::Values<Float8> values{};
+    lights::Values<Floats> values{};
     const lights::Values<double> numbers = light.values();
     for (std::size_t i = 0; i < numbers.size(); ++i)
       values[i] = metamer::broadcast(static_cast<float>(numbers[i]));
     const shared::Incident incident = shared::incident(light.light, values, hit);
-    const Float8 cosine = dot(hits.normal, incident.direction);
-    const Int8 facing = first_lane_alone() & shared::is_finite(incident) &
+    const Floats cosine = dot(hits.normal, incident.direction);
+    const Ints facing = first_lane_alone() & shared::is_finite(incident) &
                         (incident.weight > 0.0f) & (cosine > 0.0f);
-    const Int8 lit = geometry.visible(lifted, incident.direction, incident.reach, facing);
+    const Ints lit = geometry.visible(lifted, incident.direction, incident.reach, facing);
     weights[l] = lit[0] ? double{incident.weight[0]} * double{cosine[0]} : 0;
   }
   return weights;
@@ -73,7 +73,7 @@ Gather gather_middle(const RenderScene& scene, const EmbreeScene& geometry, cons
   const Tracer tracer(scene, geometry, frame);
   auto workspace = tracer.make_workspace();
   const std::uint32_t across = x % tracer.block_width(), down = y % tracer.block_height();
-  tracer.gather_block(x - across, y - down, workspace);
+  tracer.gather_blocks(std::array{Tracer::BlockCorner{x - across, y - down}}, workspace);
   return workspace.gathers[down * tracer.block_width() + across];
 }
 
@@ -91,7 +91,7 @@ std::optional<SeenPoint> look(const RenderScene& scene, const EmbreeScene& geome
   packet.direction = to_lanes(towards.normalized());
   const Hits hits = first_seen(scene, geometry, static_cast<float>(pixel), packet);
   if (!hits.hit[0]) return std::nullopt;
-  const Vec8& hit = packet.hit;
+  const Vectors& hit = packet.hit;
   return SeenPoint{.object = static_cast<std::uint32_t>(hits.object[0]),
                    .place = first_lane(hit),
                    .normal = first_lane(hits.normal).normalized(),

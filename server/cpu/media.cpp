@@ -19,7 +19,7 @@ const RenderMedium& air() {
   return medium;
 }
 
-void copy_lane(Vec8& to, const Vec8& from, unsigned lane) {
+void copy_lane(Vectors& to, const Vectors& from, unsigned lane) {
   to.x[lane] = from.x[lane];
   to.y[lane] = from.y[lane];
   to.z[lane] = from.z[lane];
@@ -125,8 +125,8 @@ void Media::change(int object, bool enters, unsigned lane, Crossing& crossing) c
     crossing.lost[lane] = -1;
 }
 
-Int8 Media::passable(const Packet& at, const Hits& hits) const {
-  Int8 lanes{};
+Ints Media::passable(const Packet& at, const Hits& hits) const {
+  Ints lanes{};
   for (unsigned i = 0; i < lane_count; ++i)
     if (at.active[i] &&
         (is_clear(hits.object[i]) || (cutouts_.is_needed() && cutouts_.share(at, hits, i) < 1)))
@@ -149,16 +149,17 @@ bool Media::meet(const Packet& at, const Hits& met, unsigned lane, Hits& hits,
   return share < 1;
 }
 
-Media::Crossing Media::cross(const Packet& at, Hits& hits, Int8 lanes,
+Media::Crossing Media::cross(const Packet& at, Hits& hits, Ints lanes,
                              const MediaStacks& inside) const {
-  const Float8 lift = shared::lift_off(at.hit, hits.distance);
-  const Vec8 normal = hits.geometric_normal, before = at.hit + normal * lift;
+  const Floats lift = shared::lift_off(at.hit, hits.distance);
+  const Vectors normal = hits.geometric_normal, before = at.hit + normal * lift;
   Crossing crossing;
   crossing.beyond = at.hit - normal * lift;
   crossing.inside = inside;
   crossing.passed = lanes;
   Passed passed;
-  std::array<std::vector<std::pair<int, bool>>, 8> sides;  // objects, and whether from behind
+  std::array<std::vector<std::pair<int, bool>>, lane_count>
+      sides;  // objects, and whether from behind
   const auto pass = [&](unsigned lane, const Hits& met) {
     passed.add(lane, met.object[lane], met.primitive[lane]);
     const std::pair<int, bool> side{met.object[lane], met.behind[lane] != 0};
@@ -175,8 +176,8 @@ Media::Crossing Media::cross(const Packet& at, Hits& hits, Int8 lanes,
   }
 
   // Look for what lies between the two sides of the surface, where the ray goes on.
-  const Vec8 down = normal * metamer::broadcast(-1);
-  Int8 left = lanes;
+  const Vectors down = normal * metamer::broadcast(-1);
+  Ints left = lanes;
   for (std::size_t n = 1; n < Passed::most && any(left); ++n) {
     const Hits met = geometry_.intersect_others(before, down, lift + lift, left, passed);
     left = met.hit;

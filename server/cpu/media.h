@@ -44,7 +44,7 @@ class MediaStack {
   std::array<std::uint8_t, most> ranks_{};
   std::uint8_t count_ = 0;
 };
-using MediaStacks = std::array<MediaStack, 8>;
+using MediaStacks = std::array<MediaStack, lane_count>;
 
 /// What rays have to know of what they pass: which medium they are in, what lies between two, and
 /// what is not all there. Immutable, shared by threads.
@@ -90,19 +90,19 @@ class Media {
 
   /// Surfaces that the rays pass together, as far as rounding tells them apart.
   struct Crossing {
-    Vec8 beyond{};         ///< Behind all of them.
+    Vectors beyond{};      ///< Behind all of them.
     MediaStacks inside{};  ///< What the rays are in there.
-    Int8 passed{};         ///< Mask of lanes that went through.
-    Int8 lost{};           ///< Mask of lanes that are in too many objects.
-    Float8 layer{};        ///< Share that is there of an opaque surface among them; 0: none is.
+    Ints passed{};         ///< Mask of lanes that went through.
+    Ints lost{};           ///< Mask of lanes that are in too many objects.
+    Floats layer{};        ///< Share that is there of an opaque surface among them; 0: none is.
   };
   /// Lanes of `at.active` whose surfaces can be passed at at.hit: clear objects, and what is not
   /// all there.
-  Int8 passable(const Packet& at, const Hits& hits) const;
+  Ints passable(const Packet& at, const Hits& hits) const;
   /// Of such `lanes`. Where an opaque surface touches these it is what was hit, and takes the place
   /// in `hits`: there is no air between. One that is there by a share, the first of them, takes it
   /// too and is passed; a hole leaves it to others.
-  Crossing cross(const Packet& at, Hits& hits, Int8 lanes, const MediaStacks& inside) const;
+  Crossing cross(const Packet& at, Hits& hits, Ints lanes, const MediaStacks& inside) const;
 
  private:
   struct Medium {

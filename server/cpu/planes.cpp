@@ -8,7 +8,8 @@ namespace {
 /// A plane so far away can't be told from its horizon, and what lies there is beyond f32's squares.
 constexpr float horizon = 1e15F;
 
-Float8 distance_to(const Vec8& normal, Float8 height, const Vec8& origin, const Vec8& direction) {
+Floats distance_to(const Vectors& normal, Floats height, const Vectors& origin,
+                   const Vectors& direction) {
   return (height - dot(normal, origin)) / dot(normal, direction);
 }
 
@@ -22,29 +23,30 @@ void Planes::add(std::uint32_t number, const RenderObject& object) {
                      broadcast(static_cast<float>(normal.dot(object.to_world.translation())))});
 }
 
-void Planes::intersect(const Vec8& origin, const Vec8& direction, Int8 active, const Passed* passed,
-                       Hits& hits) const {
+void Planes::intersect(const Vectors& origin, const Vectors& direction, Ints active,
+                       const Passed* passed, Hits& hits) const {
   for (const Plane& plane : planes_) {
-    const Float8 distance = distance_to(plane.normal, plane.height, origin, direction);
-    Int8 met = active & (distance > 0.0f) & (distance < horizon) & (distance < hits.distance);
+    const Floats distance = distance_to(plane.normal, plane.height, origin, direction);
+    Ints met = active & (distance > 0.0f) & (distance < horizon) & (distance < hits.distance);
     for (unsigned i = 0; passed != nullptr && i < lane_count; ++i)
       if (passed->has(i, plane.object, 0)) met[i] = 0;
     hits.hit |= met;
     hits.distance = select(met, distance, hits.distance);
     hits.geometric_normal = select(met, plane.normal, hits.geometric_normal);
     hits.normal = select(met, plane.normal, hits.normal);
-    hits.object = met ? Int8{} + plane.object : hits.object;
-    hits.material = met ? Int8{} + plane.material : hits.material;
+    hits.object = met ? Ints{} + plane.object : hits.object;
+    hits.material = met ? Ints{} + plane.material : hits.material;
     hits.primitive &= ~met;
     hits.interpolated &= ~met;
-    hits.u = select(met, Float8{}, hits.u);
-    hits.v = select(met, Float8{}, hits.v);
+    hits.u = select(met, Floats{}, hits.u);
+    hits.v = select(met, Floats{}, hits.v);
   }
 }
 
-Int8 Planes::visible(const Vec8& origin, const Vec8& direction, Float8 length, Int8 free) const {
+Ints Planes::visible(const Vectors& origin, const Vectors& direction, Floats length,
+                     Ints free) const {
   for (const Plane& plane : planes_) {
-    const Float8 distance = distance_to(plane.normal, plane.height, origin, direction);
+    const Floats distance = distance_to(plane.normal, plane.height, origin, direction);
     free &= ~((distance > 0.0f) & (distance < length));
   }
   return free;

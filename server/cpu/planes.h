@@ -20,16 +20,16 @@ class Planes {
 
   /// Takes the place of what rays have hit behind one, or where nothing was, before hits.distance;
   /// its normal is not yet turned to the ray. Not of one that the rays have passed; null: none.
-  void intersect(const Vec8& origin, const Vec8& direction, Int8 active, const Passed* passed,
+  void intersect(const Vectors& origin, const Vectors& direction, Ints active, const Passed* passed,
                  Hits& hits) const;
   /// The lanes of `free` whose segments, 0 < t < length, no plane cuts.
-  Int8 visible(const Vec8& origin, const Vec8& direction, Float8 length, Int8 free) const;
+  Ints visible(const Vectors& origin, const Vectors& direction, Floats length, Ints free) const;
 
  private:
   struct Plane {
     int object, material;
-    Vec8 normal;
-    Float8 height;  ///< normal · point.
+    Vectors normal;
+    Floats height;  ///< normal · point.
   };
   std::vector<Plane> planes_;
 };

@@ -59,35 +59,41 @@ TracedPixels TracingProbe::trace(const v1::Plan& plan, PixelRun run,
   const Tracer tracer(geometry_->scene(), geometry_->embree(), frame);
   auto workspace = tracer.make_workspace();
   TracedPixels pixels;
-  const std::uint32_t block = tracer.block_width() * tracer.block_height();
-  const auto gather = [&](Place place) {
-    const std::uint32_t x = place.x / tracer.block_width() * tracer.block_width();
-    const std::uint32_t y = place.y / tracer.block_height() * tracer.block_height();
-    tracer.gather_block(x, y, workspace);
-    return Place{x, y};
+  const std::uint32_t step = run.random ? 1 : tracer.block_pixels(), end = run.first + run.count;
+  // The blocks of the pixels from k on, as many as a packet takes; the next k is behind them.
+  std::vector<Tracer::BlockCorner> blocks;
+  const auto gather = [&](std::uint32_t& k) {
+    blocks.clear();
+    for (; k < end && blocks.size() < group_count; k += step) {
+      const Place at = run.random ? random_place(k, plan) : even_place(k, plan);
+      blocks.push_back({at.x / tracer.block_width() * tracer.block_width(),
+                        at.y / tracer.block_height() * tracer.block_height()});
+    }
+    tracer.gather_blocks(blocks, workspace);
   };
   // Neighbours find what they need in the caches; pixels far from each other do on a second round.
   double first_round = std::numeric_limits<double>::infinity();
   if (!run.random) {
     const double start = thread_seconds();
-    for (std::uint32_t k = 0; k < run.count && !stopped; k += block)
-      gather(even_place(run.first + k, plan));
+    for (std::uint32_t k = run.first; k < end && !stopped;) gather(k);
     first_round = thread_seconds() - start;
   }
-  workspace.rays = 0;
+  workspace.rays = {};
   const double start = thread_seconds();
-  for (std::uint32_t k = run.first; k < run.first + run.count && !stopped;
-       k += run.random ? 1 : block) {
-    const auto [x, y] = gather(run.random ? random_place(k, plan) : even_place(k, plan));
-    for (std::uint32_t i = 0; i < workspace.gathers.size(); ++i)
-      if (x + i % tracer.block_width() < plan.width() &&
-          y + i / tracer.block_width() < plan.height())
+  for (std::uint32_t k = run.first; k < end && !stopped;) {
+    gather(k);
+    for (std::uint32_t i = 0; i < blocks.size() * tracer.block_pixels(); ++i) {
+      const auto [x, y] = blocks[i / tracer.block_pixels()];
+      const std::uint32_t pixel = i % tracer.block_pixels();
+      if (x + pixel % tracer.block_width() < plan.width() &&
+          y + pixel / tracer.block_width() < plan.height())
         pixels.gathers.push_back(workspace.gathers[i]);
-    ++work;
+    }
+    work += blocks.size();
   }
   const auto count = static_cast<double>(std::max<std::size_t>(1, pixels.gathers.size()));
   pixels.seconds = std::min(first_round, thread_seconds() - start) / count;
-  pixels.rays = static_cast<double>(workspace.rays) / count;
+  pixels.rays = static_cast<double>(workspace.rays.rays()) / count;
   return pixels;
 }
 

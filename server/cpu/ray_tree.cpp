@@ -40,7 +40,7 @@ void RayTree::trace(const Packet& camera, Workspace& workspace) const {
 /// What the branch meets next: its light, and its children.
 void RayTree::follow(Branch& branch, std::vector<Branch>& stack, Workspace& workspace) const {
   Packet& packet = branch.packet;
-  workspace.rays += static_cast<unsigned>(count(packet.active));
+  workspace.add_rays(packet.kind, packet.active);
   Hits hits = geometry_.intersect(packet.origin, packet.direction, packet.active);
   if (!shading_.soft().empty()) see(branch, hits, workspace);
   packet.active = hits.hit;
@@ -51,14 +51,14 @@ void RayTree::follow(Branch& branch, std::vector<Branch>& stack, Workspace& work
 
   // Go through clear surfaces and holes, unless an opaque one touches them.
   Media::Crossing crossing;
-  if (const Int8 passable = media_.passable(packet, hits); any(passable))
+  if (const Ints passable = media_.passable(packet, hits); any(passable))
     crossing = media_.cross(packet, hits, passable, branch.inside);
   packet.point = packet.hit + hits.geometric_normal * shared::lift_off(packet.hit, hits.distance);
   shading_.turn_normals(packet, hits);
 
   // Gather the light of surfaces that shine, and what they reflect by their models.
   shading_.soft().add_objects(packet, hits, packet.active & ~crossing.passed, workspace);
-  const Int8 layered = crossing.layer > 0.0f;
+  const Ints layered = crossing.layer > 0.0f;
   Packet shaded = packet;
   shaded.active = shaded_lanes(branch, hits, crossing, crossing.passed);
   shaded.throughput *= select(layered, crossing.layer, metamer::broadcast(1));
@@ -85,13 +85,15 @@ RayTree::Children RayTree::children_of(const Branch& branch) const {
   for (Branch* child : {&children.reflected, &children.transmitted, &children.straight}) {
     *child = branch;
     child->from = branch.packet.hit;
-    child->packet.active = Int8{};
+    child->packet.active = Ints{};
     child->surfaces = branch.surfaces + 1;
   }
   for (Branch* child : {&children.reflected, &children.transmitted}) {
     child->depth = branch.depth + 1;
     child->packet.from_eye = false;
   }
+  children.reflected.packet.kind = RayKind::mirror;
+  children.transmitted.packet.kind = children.straight.packet.kind = RayKind::transmitted;
   return children;
 }
 
@@ -119,7 +121,7 @@ void RayTree::see(const Branch& branch, Hits& hits, Workspace& workspace) const 
 /// On the way to what was hit (Beer and Lambert), from the surface itself: a lift would be missing.
 void RayTree::absorb(Branch& branch, Workspace& workspace) const {
   Packet& packet = branch.packet;
-  const Vec8 way = packet.hit - branch.from;
+  const Vectors way = packet.hit - branch.from;
   for (unsigned i = 0; i < lane_count; ++i) {
     if (!packet.active[i]) continue;
     const std::uint8_t medium = branch.inside[i].top();
@@ -133,7 +135,7 @@ void RayTree::absorb(Branch& branch, Workspace& workspace) const {
 
 /// Mirrors of what is there by a share, beside what shows through it.
 void RayTree::mirror_layers(const Branch& branch, const Hits& hits, const Packet& shaded,
-                            Int8 layered, std::vector<Branch>& stack, Workspace& workspace) const {
+                            Ints layered, std::vector<Branch>& stack, Workspace& workspace) const {
   Branch layer = branch;
   layer.packet.throughput = shaded.throughput;
   Children children = children_of(layer);
@@ -143,9 +145,9 @@ void RayTree::mirror_layers(const Branch& branch, const Hits& hits, const Packet
 }
 
 /// Opaque surfaces, what is there of others, and clear ones from outside where the medium changes.
-Int8 RayTree::shaded_lanes(const Branch& branch, const Hits& hits, const Media::Crossing& crossing,
-                           Int8 clear) const {
-  Int8 lanes = branch.packet.active & ~clear;
+Ints RayTree::shaded_lanes(const Branch& branch, const Hits& hits, const Media::Crossing& crossing,
+                           Ints clear) const {
+  Ints lanes = branch.packet.active & ~clear;
   for (unsigned i = 0; i < lane_count; ++i)
     if (clear[i] && media_.is_clear(hits.object[i]) &&
         media_.is_front(hits.object[i], hits.behind[i] != 0) &&
@@ -177,7 +179,7 @@ void RayTree::split(const Branch& branch, const Hits& hits, const Media::Crossin
 
 /// Each bundle of wavelengths on a way of its own, of lanes that have had all of them together.
 void RayTree::disperse(const Branch& branch, const Hits& hits, const Media::Crossing& crossing,
-                       Int8 lanes, std::vector<Branch>& stack, Workspace& workspace) const {
+                       Ints lanes, std::vector<Branch>& stack, Workspace& workspace) const {
   const auto between = [&](unsigned lane) -> const Media::Interface& {
     return *media_.between(branch.inside[lane].top(), crossing.inside[lane].top());
   };
@@ -222,7 +224,7 @@ void RayTree::refract_at(const Media::Interface& interface, const Branch& branch
                   : interface.ratios[static_cast<std::size_t>(branch.bundle[lane])]);
   Gather& gather = workspace.gathers[packet.pixel[lane]];
   const float cosine = interface.from_rare ? bent.cosine_from : bent.cosine_to;
-  const auto go_on = [&](Branch& child, const Eigen::Vector3f& direction, const Vec8& origin) {
+  const auto go_on = [&](Branch& child, const Eigen::Vector3f& direction, const Vectors& origin) {
     child.packet.active[lane] = -1;
     set_lane(child.packet.direction, direction, lane);
     set_lane(child.packet.origin, lane_of(origin, lane), lane);
@@ -284,7 +286,7 @@ void RayTree::end(const Branch& branch, unsigned lane, double& sum) {
 
 /// Without the paths that count for too little.
 void RayTree::push(Branch& child, std::vector<Branch>& stack, Workspace& workspace) const {
-  Int8& active = child.packet.active;
+  Ints& active = child.packet.active;
   for (unsigned i = 0; i < lane_count; ++i) {
     if (!active[i]) continue;
     if (child.surfaces >= most_surfaces) {
@@ -308,7 +310,7 @@ bool RayTree::goes_on(Branch& child, unsigned lane) {
   Packet& packet = child.packet;
   const float probability = child.importance[lane] * packet.throughput[lane] / (child.share * sure);
   if (probability >= 1) return true;
-  soft::Point8 chance;
+  soft::Points chance;
   soft::Pattern{packet.sample[lane], soft::hashed(packet.seed[lane], of_chance + child.surfaces)}
       .shuffled()
       .put(chance, lane);

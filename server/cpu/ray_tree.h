@@ -29,13 +29,13 @@ class RayTree {
   void trace(const Packet& camera, Workspace& workspace) const;
 
  private:
-  /// Eight paths of a tree.
+  /// Some paths of a tree, a lane each.
   struct Branch {
     Packet packet;
     MediaStacks inside{};
-    Vec8 from{};                                ///< Where it met the surface before, or the eye.
-    Float8 importance = metamer::broadcast(1);  ///< The most that the path counts, about.
-    Int8 bundle = Int8{} - 1;                   ///< Of wavelengths; -1: all of them.
+    Vectors from{};                             ///< Where it met the surface before, or the eye.
+    Floats importance = metamer::broadcast(1);  ///< The most that the path counts, about.
+    Ints bundle = Ints{} - 1;                   ///< Of wavelengths; -1: all of them.
     unsigned depth = 0;                         ///< Reflections and refractions so far.
     unsigned surfaces = 0;                      ///< With those that changed nothing.
     unsigned bounces = 0;                       ///< Diffuse reflections so far.
@@ -44,7 +44,7 @@ class RayTree {
   /// Where the paths of a branch go on.
   struct Children {
     Branch reflected, transmitted, straight;
-    Int8 dispersed{};  ///< Lanes that split into bundles first.
+    Ints dispersed{};  ///< Lanes that split into bundles first.
   };
 
   enum class Parts { reflected, transmitted, both };
@@ -52,13 +52,13 @@ class RayTree {
   void follow(Branch& branch, std::vector<Branch>& stack, Workspace& workspace) const;
   void see(const Branch& branch, Hits& hits, Workspace& workspace) const;
   void absorb(Branch& branch, Workspace& workspace) const;
-  Int8 shaded_lanes(const Branch& branch, const Hits& hits, const Media::Crossing& crossing,
-                    Int8 clear) const;
-  void mirror_layers(const Branch& branch, const Hits& hits, const Packet& shaded, Int8 layered,
+  Ints shaded_lanes(const Branch& branch, const Hits& hits, const Media::Crossing& crossing,
+                    Ints clear) const;
+  void mirror_layers(const Branch& branch, const Hits& hits, const Packet& shaded, Ints layered,
                      std::vector<Branch>& stack, Workspace& workspace) const;
   void split(const Branch& branch, const Hits& hits, const Media::Crossing& crossing,
              Children& children, Workspace& workspace) const;
-  void disperse(const Branch& branch, const Hits& hits, const Media::Crossing& crossing, Int8 lanes,
+  void disperse(const Branch& branch, const Hits& hits, const Media::Crossing& crossing, Ints lanes,
                 std::vector<Branch>& stack, Workspace& workspace) const;
   void refract_at(const Media::Interface& interface, const Branch& branch, const Hits& hits,
                   const Media::Crossing& crossing, unsigned lane, Children& children,

@@ -85,6 +85,13 @@ class RayTracer : public Renderer {
     timing.set_below_cutoff(below_cutoff / std::max(rays, 1.0));
   }
 
+  RayCounts rays() const override {
+    RayCounts rays;
+    for (const auto& share : shares_)
+      if (share) rays += share->rays;
+    return rays;
+  }
+
   std::unique_ptr<Probe> make_probe() override { return std::make_unique<TracingProbe>(geometry_); }
 
  private:
@@ -95,14 +102,15 @@ class RayTracer : public Renderer {
     std::optional<FactorSink> factors;
     std::optional<Rect> tile;  ///< That has been taken and is not whole.
     std::uint32_t next_part = 0;
+    RayCounts rays;  ///< Of its whole tiles.
   };
 
   Share& share(unsigned index) {
     auto& share = shares_[index];
     if (share) return *share;
     const auto spp = static_cast<std::uint32_t>(picture_.samples.size());
-    share.reset(
-        new Share{tracer_->make_workspace(), FilmSink(*method_, picture_.film, spp), {}, {}});
+    share.reset(new Share{
+        tracer_->make_workspace(), FilmSink(*method_, picture_.film, spp), {}, {}, 0, {}});
     if (picture_.keep_factors) share->factors.emplace(share->film, spp);
     return *share;
   }
@@ -126,7 +134,7 @@ class RayTracer : public Renderer {
     if (i >= picture_.tiles.size()) return false;
     own.tile = picture_.tiles[i];
     own.next_part = 0;
-    own.workspace.rays = 0;
+    own.workspace.rays = {};
     if (own.factors) own.factors->begin(*own.tile);
     return true;
   }
@@ -144,11 +152,12 @@ class RayTracer : public Renderer {
                     own.workspace, control.cancelled, control.work);
     if (control.cancelled || ++own.next_part < columns * rows) return;
     own.tile.reset();
+    own.rays += own.workspace.rays;
     ++whole_;
     if (!picture_.tile_done) return;
     std::optional<v1::TileFactors> kept;
     if (own.factors) kept = own.factors->finish();
-    picture_.tile_done({tile, own.workspace.rays, kept ? &*kept : nullptr});
+    picture_.tile_done({tile, own.workspace.rays.rays(), kept ? &*kept : nullptr});
   }
 
   const RenderScene& scene_;
@@ -184,7 +193,7 @@ class RayTracing : public Backend {
 
 }  // namespace
 
-std::unique_ptr<Backend> make_backend(unsigned threads) {
+std::unique_ptr<Backend> make_backend(unsigned threads, Lanes<lane_count>) {
   return std::make_unique<RayTracing>(threads);
 }
 

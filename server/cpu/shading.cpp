@@ -9,8 +9,8 @@
 namespace metamer::cpu {
 namespace {
 
-/// The same lane of all eight.
-Vec8 broadcast_lane(const Vec8& v, int lane) {
+/// The same lane in all.
+Vectors broadcast_lane(const Vectors& v, int lane) {
   return {metamer::broadcast(v.x[lane]), metamer::broadcast(v.y[lane]),
           metamer::broadcast(v.z[lane])};
 }
@@ -23,7 +23,7 @@ static_assert(v1::CONSTANT == shared::constant_shading && v1::GOURAUD == shared:
               v1::QUADRATIC == shared::quadratic_shading);
 
 /// The places of a triangle, one a lane; lanes beyond the last one repeat the first.
-shared::Place places_of(const Corners& corners, const Vec8& side, int shading) {
+shared::Place places_of(const Corners& corners, const Vectors& side, int shading) {
   shared::Triangle at;
   for (std::size_t i = 0; i < 3; ++i) {
     at.position[i] = metamer::broadcast(corners.position[i]);
@@ -31,14 +31,14 @@ shared::Place places_of(const Corners& corners, const Vec8& side, int shading) {
     at.tangent[i] = metamer::broadcast(corners.tangent[i]);
   }
   at.across = metamer::broadcast(corners.across);
-  Float8 place{};
+  Floats place{};
   for (int i = 0; i < shared::place_count(shading); ++i) place[i] = static_cast<float>(i);
   return shared::place_of(at, side, shading, place);
 }
 
 }  // namespace
 
-void Shading::scale(Lobes& lobes, Float8 factor) {
+void Shading::scale(Lobes& lobes, Floats factor) {
   lobes.diffuse *= factor;
   lobes.specular *= factor;
   lobes.white *= factor;
@@ -73,48 +73,48 @@ Shading::Shading(const RenderScene& scene, const EmbreeScene& geometry, float fo
 
 void Shading::shade(const Packet& packet, const Hits& hits, Workspace& workspace) const {
   const Places places = find_places(packet, hits, workspace);
-  const Int8 ambient = ambient_lanes(hits, packet.active);
+  const Ints ambient = ambient_lanes(hits, packet.active);
   if (!soft_.empty()) shade_soft(packet, hits, places, ambient, workspace);
   for (std::size_t l = 0; l < lights_.size(); ++l) {
     if (!lights_[l].is_place) continue;
     // Look towards the light from the surface itself: the lift would show in a near light.
     const shared::Incident light =
         shared::incident(lights_[l].light, lights_[l].values, packet.hit);
-    const Int8 sound = shared::is_finite(light);
-    const Int8 shone = (light.weight > 0.0f) & (dot(hits.normal, light.direction) > 0.0f);
-    const Int8 facing =
+    const Ints sound = shared::is_finite(light);
+    const Ints shone = (light.weight > 0.0f) & (dot(hits.normal, light.direction) > 0.0f);
+    const Ints facing =
         packet.active & sound & (shone | hits.interpolated) & reached(hits, light.direction);
-    Int8 lit{};
+    Ints lit{};
     const Step step{packet, hits, places, static_cast<std::uint32_t>(l), workspace};
     if (media_ != nullptr) {
       shade_through(step, facing, ambient, light.direction, light.reach, light.weight);
     } else if (any(facing)) {
-      workspace.rays += static_cast<unsigned>(count(facing));
+      workspace.add_rays(RayKind::shadow, facing);
       lit = geometry_.visible(packet.point, light.direction, light.reach, facing);
     }
-    const Int8 wanted = lit | (ambient & sound);
+    const Ints wanted = lit | (ambient & sound);
     if (any(wanted)) reflect(step, lit, wanted, light.direction, light.weight);
   }
 }
 
 /// The lanes that are not in their own surface's way: where a normal is turned it may see what is
 /// below, and what is not all there would let it through.
-Int8 Shading::reached(const Hits& hits, const Vec8& direction) const {
-  return own_side_ ? Int8(dot(hits.geometric_normal, direction) > 0.0f) : Int8{} - 1;
+Ints Shading::reached(const Hits& hits, const Vectors& direction) const {
+  return own_side_ ? Ints(dot(hits.geometric_normal, direction) > 0.0f) : Ints{} - 1;
 }
 
 /// Evaluates the models where they are asked for, and gathers their lobes.
-void Shading::reflect(const Step& step, Int8 lit, Int8 wanted, const Vec8& to_light,
-                      Float8 weight) const {
-  const Int8 between = lit & step.hits.interpolated;
+void Shading::reflect(const Step& step, Ints lit, Ints wanted, const Vectors& to_light,
+                      Floats weight) const {
+  const Ints between = lit & step.hits.interpolated;
   Lobes lobes = evaluate_hits(step, wanted & ~between, lit, to_light, weight);
   if (any(between)) interpolate(step, between, lobes);
   gather(step, lobes, wanted);
 }
 
 /// The same of lanes whose light comes through clear things, each over a chain of its own.
-void Shading::shade_through(const Step& step, Int8 lanes, Int8 ambient, const Vec8& to_light,
-                            Float8 reach, Float8 weight) const {
+void Shading::shade_through(const Step& step, Ints lanes, Ints ambient, const Vectors& to_light,
+                            Floats reach, Floats weight) const {
   if (!any(lanes)) return;
   Packet packet = step.packet;
   packet.active = lanes;
@@ -125,8 +125,8 @@ void Shading::shade_through(const Step& step, Int8 lanes, Int8 ambient, const Ve
   const Step through{packet, step.hits, places, step.light, step.workspace};
   reflect(through, packet.active, packet.active, to_light, weight);
   // What is reflected without any light has been gathered without anything on its way.
-  if (const Int8 unlit = ambient & packet.active; any(unlit))
-    reflect(through, Int8{}, unlit, to_light, weight * metamer::broadcast(-1));
+  if (const Ints unlit = ambient & packet.active; any(unlit))
+    reflect(through, Ints{}, unlit, to_light, weight * metamer::broadcast(-1));
   step.workspace.texture_shares = std::move(shares);
 }
 
@@ -134,27 +134,31 @@ void Shading::shade_through(const Step& step, Int8 lanes, Int8 ambient, const Ve
 Shading::Places Shading::find_places(const Packet& packet, const Hits& hits,
                                      Workspace& workspace) const {
   Places places;
-  int last = -1;
-  for (unsigned i = 0; i < lane_count; ++i) {
-    if (!packet.active[i]) continue;
-    const auto material = static_cast<std::uint32_t>(hits.material[i]);
-    const bool as_last = last >= 0 && packet.pixel[i] == packet.pixel[last] &&
-                         packet.chain[i] == packet.chain[last] &&
-                         hits.material[i] == hits.material[last];
-    places.surface[i] = as_last
-                            ? places.surface[last]
-                            : workspace.gathers[packet.pixel[i]].surface(packet.chain[i], material);
-    places.together &= last < 0 || as_last;
-    last = static_cast<int>(i);
+  for (unsigned group = 0; group < group_count; ++group) {
+    int last = -1;
+    bool together = true;
+    for (unsigned i = group * group_size; i < (group + 1) * group_size; ++i) {
+      if (!packet.active[i]) continue;
+      const auto material = static_cast<std::uint32_t>(hits.material[i]);
+      const bool as_last = last >= 0 && packet.pixel[i] == packet.pixel[last] &&
+                           packet.chain[i] == packet.chain[last] &&
+                           hits.material[i] == hits.material[last];
+      places.surface[i] =
+          as_last ? places.surface[last]
+                  : workspace.gathers[packet.pixel[i]].surface(packet.chain[i], material);
+      together &= last < 0 || as_last;
+      last = static_cast<int>(i);
+    }
+    places.together[group] = together;
+    places.first[group] = static_cast<unsigned>(last);
   }
-  places.first = static_cast<unsigned>(last);
   if (texturing_.is_needed()) places.own_diffuse = texturing_.divide(packet, hits, workspace);
   return places;
 }
 
 /// The lanes whose material reflects light also where no light of the scene reaches.
-Int8 Shading::ambient_lanes(const Hits& hits, Int8 active) const {
-  Int8 lanes{};
+Ints Shading::ambient_lanes(const Hits& hits, Ints active) const {
+  Ints lanes{};
   if (!has_ambient_) return lanes;
   for (int i = 0; i < lane_count; ++i)
     if (active[i] &&
@@ -167,7 +171,7 @@ Shading::Lobes Shading::evaluate(const RenderMaterial& material, const Angles& a
                                  Workspace& workspace) const {
   const bool timed = workspace.evaluations++ % timed_each == 0;
   const std::uint64_t start = timed ? ticks() : 0;
-  const Lobes lobes = models::evaluate(material.reflection, angles);
+  const Lobes lobes = models::evaluate_packet(material.reflection, angles);
   if (timed) workspace.timed_ticks += ticks() - start;
   return shared::fold_fresnel(lobes, static_cast<int>(material.fresnel));
 }
@@ -175,26 +179,27 @@ Shading::Lobes Shading::evaluate(const RenderMaterial& material, const Angles& a
 /// Evaluates each material that the lanes have hit, once for all of its lanes. Where a lane is not
 /// lit, N·L is 0. Flat: the compiler would call what interpolate() calls as well, for 4 % of a
 /// picture.
-[[gnu::flatten]] Shading::Lobes Shading::evaluate_hits(const Step& step, Int8 lanes, Int8 lit,
-                                                       const Vec8& to_light, Float8 weight) const {
+[[gnu::flatten]] Shading::Lobes Shading::evaluate_hits(const Step& step, Ints lanes, Ints lit,
+                                                       const Vectors& to_light,
+                                                       Floats weight) const {
   if (!any(lanes)) return Lobes{};
   const Hits& hits = step.hits;
   Angles angles = shared::angles_of(
       hits.normal, hits.tangent, to_light, step.packet.direction * metamer::broadcast(-1),
       lights_[step.light].solid_angle, needed_.azimuth, needed_.tangent);
-  angles.n_dot_l = select(lit, angles.n_dot_l, Float8{});
+  angles.n_dot_l = select(lit, angles.n_dot_l, Floats{});
   Lobes lobes = evaluate_each(hits, lanes, angles, step.workspace);
-  scale(lobes, select(lanes, weight * step.packet.throughput, Float8{}));
+  scale(lobes, select(lanes, weight * step.packet.throughput, Floats{}));
   return lobes;
 }
 
-Shading::Lobes Shading::evaluate_each(const Hits& hits, Int8 lanes, const Angles& angles,
+Shading::Lobes Shading::evaluate_each(const Hits& hits, Ints lanes, const Angles& angles,
                                       Workspace& workspace) const {
   Lobes lobes{};
-  Int8 left = lanes;
+  Ints left = lanes;
   for (int first = 0; first < lane_count; ++first) {
     if (!left[first]) continue;
-    const Int8 same = left & (hits.material == hits.material[first]);
+    const Ints same = left & (hits.material == hits.material[first]);
     const Lobes own = evaluate(scene_.materials[static_cast<std::size_t>(hits.material[first])],
                                angles, workspace);
     lobes.diffuse = select(same, own.diffuse, lobes.diffuse);
@@ -212,20 +217,21 @@ Shading::Lobes Shading::evaluate_each(const Hits& hits, Int8 lanes, const Angles
 }
 
 /// Adds the lobes of lanes whose model is evaluated at places of the triangle: once for all lanes
-/// on it, since its places are the same for all. Seen over mirrors, or by a lens, each lane has an
-/// eye of its own.
-void Shading::interpolate(const Step& step, Int8 lanes, Lobes& lobes) const {
+/// of a group on it, since its places are the same for all. Seen over mirrors, or by a lens, each
+/// lane has an eye of its own.
+void Shading::interpolate(const Step& step, Ints lanes, Lobes& lobes) const {
   const Hits& hits = step.hits;
   const Packet& packet = step.packet;
   // Where the eye seems to be: as far behind the mirrors as the light has come.
-  const Vec8 eye = packet.hit - packet.direction * packet.travelled;
-  Int8 left = lanes;
+  const Vectors eye = packet.hit - packet.direction * packet.travelled;
+  Ints left = lanes;
   for (int first = 0; first < lane_count; ++first) {
     if (!left[first]) continue;
-    Int8 same =
+    Ints same =
         left & (hits.object == hits.object[first]) & (hits.primitive == hits.primitive[first]);
+    if (group_count > 1) same &= lanes_of(static_cast<unsigned>(first) / group_size);
     if (!packet.from_eye || packet.from_lens) {
-      same = Int8{};
+      same = Ints{};
       same[first] = -1;
     }
     left &= ~same;
@@ -237,25 +243,25 @@ void Shading::interpolate(const Step& step, Int8 lanes, Lobes& lobes) const {
                   broadcast_lane(hits.geometric_normal, first), shading);
     const Light& from = lights_[step.light];
     const shared::Incident light = shared::incident(from.light, from.values, places.position);
-    const Vec8 to_eye = shared::unit(broadcast_lane(eye, first) - places.position);
+    const Vectors to_eye = shared::unit(broadcast_lane(eye, first) - places.position);
     const RenderMaterial& material =
         scene_.materials[static_cast<std::size_t>(hits.material[first])];
     Lobes own = evaluate(material,
                          shared::angles_of(places.normal, places.tangent, light.direction, to_eye,
                                            from.solid_angle, needed_.azimuth, needed_.tangent),
                          step.workspace);
-    scale(own, select(shared::is_finite(light), light.weight, Float8{}));
+    scale(own, select(shared::is_finite(light), light.weight, Floats{}));
 
     // Interpolate between them.
-    const Float8 throughput = select(same, packet.throughput, Float8{});
+    const Floats throughput = select(same, packet.throughput, Floats{});
     for (int p = 0; p < shared::place_count(shading); ++p) {
-      const Float8 weight = shared::place_weight(shading, p, hits.u, hits.v) * throughput;
+      const Floats weight = shared::place_weight(shading, p, hits.u, hits.v) * throughput;
       lobes.diffuse += weight * own.diffuse[p];
       lobes.specular += weight * own.specular[p];
       lobes.white += weight * own.white[p];
       if (own.fresnel[p] == 0 || packet.diffused) continue;  // as gather() has it
       Lobes one{};
-      one.fresnel = select(same, weight * own.fresnel[p], Float8{});
+      one.fresnel = select(same, weight * own.fresnel[p], Floats{});
       one.cosine = metamer::broadcast(own.cosine[p]);
       one.height = metamer::broadcast(own.height[p]);
       one.spread = metamer::broadcast(own.spread[p]);
@@ -284,12 +290,13 @@ void Shading::gather_factors(const Step& step, const Lobes& lobes) const {
 
 /// A weight for each of the wavelengths at which the lobe's geometry is known, between two cosines.
 void Shading::gather_rough(const Step& step, const Lobes& lobes) const {
-  const Int8 rough = (lobes.height >= 0.0f) & (lobes.fresnel != 0.0f);
-  const Float8 height = select(rough, lobes.height, Float8{}),
-               spread = select(rough, lobes.spread, Float8{});
-  std::array<Float8, lobe_wavelengths> weights;
+  const Ints rough = (lobes.height >= 0.0f) & (lobes.fresnel != 0.0f);
+  const Floats height = select(rough, lobes.height, Floats{}),
+               spread = select(rough, lobes.spread, Floats{});
+  std::array<Floats, lobe_wavelengths> weights;
   for (std::uint32_t w = 0; w < lobe_wavelengths; ++w)
-    weights[w] = lobes.fresnel * models::ripples(height, spread, static_cast<float>(lobe_nm(w)));
+    weights[w] =
+        lobes.fresnel * models::ripples_of_packet(height, spread, static_cast<float>(lobe_nm(w)));
   for (int lane = 0; lane < lane_count; ++lane) {
     if (!rough[lane]) continue;
     const auto i = static_cast<std::size_t>(lane);
@@ -309,33 +316,39 @@ void Shading::gather_rough(const Step& step, const Lobes& lobes) const {
 }
 
 /// Adds weighted lobes where they are gathered; the lanes that have none hold zeros.
-void Shading::gather(const Step& step, Lobes lobes, Int8 lanes) const {
+void Shading::gather(const Step& step, Lobes lobes, Ints lanes) const {
   Workspace& workspace = step.workspace;
   // What a highlight throws on a surface is not looked for: it would take too many ways to meet it.
-  if (step.packet.diffused) lobes.specular = lobes.white = lobes.fresnel = Float8{};
+  if (step.packet.diffused) lobes.specular = lobes.white = lobes.fresnel = Floats{};
   if (texturing_.is_needed()) {
     for (const TextureShare& share : workspace.texture_shares)
-      workspace.gathers[step.packet.pixel[share.lane]].weights(share.surface, step.light).diffuse +=
-          share.weight * lobes.diffuse[share.lane];
+      if (any_of(lanes, share.lane / group_size))
+        workspace.gathers[step.packet.pixel[share.lane]]
+            .weights(share.surface, step.light)
+            .diffuse += share.weight * lobes.diffuse[share.lane];
     lobes.diffuse *= step.places.own_diffuse;
   }
   const Places& places = step.places;
   if (has_factors_) gather_factors(step, lobes);
-  if (places.together) {
-    LobeWeights& to = workspace.gathers[step.packet.pixel[places.first]].weights(
-        places.surface[places.first], step.light);
-    to.diffuse += sum(lobes.diffuse);
-    to.specular += sum(lobes.specular);
-    to.white += sum(lobes.white);
-    return;
-  }
-  for (unsigned i = 0; i < lane_count; ++i) {
-    if (!lanes[i]) continue;
-    LobeWeights& to =
-        workspace.gathers[step.packet.pixel[i]].weights(places.surface[i], step.light);
-    to.diffuse += lobes.diffuse[i];
-    to.specular += lobes.specular[i];
-    to.white += lobes.white[i];
+  for (unsigned group = 0; group < group_count; ++group) {
+    if (!any_of(lanes, group)) continue;
+    if (places.together[group]) {
+      const unsigned first = places.first[group];
+      LobeWeights& to =
+          workspace.gathers[step.packet.pixel[first]].weights(places.surface[first], step.light);
+      to.diffuse += sum(lobes.diffuse, group);
+      to.specular += sum(lobes.specular, group);
+      to.white += sum(lobes.white, group);
+      continue;
+    }
+    for (unsigned i = group * group_size; i < (group + 1) * group_size; ++i) {
+      if (!lanes[i]) continue;
+      LobeWeights& to =
+          workspace.gathers[step.packet.pixel[i]].weights(places.surface[i], step.light);
+      to.diffuse += lobes.diffuse[i];
+      to.specular += lobes.specular[i];
+      to.white += lobes.white[i];
+    }
   }
 }
 

@@ -12,7 +12,7 @@
 #include "server/cpu/packet.h"
 #include "server/cpu/soft/soft_lights.h"
 #include "server/cpu/texturing.h"
-#include "server/models/lanes.h"
+#include "server/models/packet.h"
 
 namespace metamer::cpu {
 
@@ -40,22 +40,23 @@ class Shading {
   const soft::SoftLights& soft() const { return soft_; }
 
  private:
-  using Lobes = models::Lobes<Float8>;
-  using Angles = models::Angles<Float8>;
+  using Lobes = models::Lobes<Floats>;
+  using Angles = models::Angles<Floats>;
 
   struct Light {
     bool is_place;
     lights::Light light;
-    lights::Values<Float8> values;
-    Float8 solid_angle;
+    lights::Values<Floats> values;
+    Floats solid_angle;
   };
   /// Where the lanes of a packet are gathered.
   struct Places {
-    std::array<std::uint32_t, 8> surface{};  ///< Of the pixel's gather.
-    bool together = true;                    ///< All active lanes in the same place.
-    unsigned first = 0;                      ///< An active lane.
+    std::array<std::uint32_t, lane_count> surface{};  ///< Of the pixel's gather.
+    /// By group: all of its active lanes in the same place, of which one is `first`.
+    std::array<bool, group_count> together{};
+    std::array<unsigned, group_count> first{};
     /// What of the diffuse light stays there; the rest is in Workspace::texture_shares.
-    Float8 own_diffuse = metamer::broadcast(1);
+    Floats own_diffuse = metamer::broadcast(1);
   };
   /// One light's part of a packet.
   struct Step {
@@ -66,28 +67,29 @@ class Shading {
     Workspace& workspace;
   };
 
-  void shade_soft(const Packet& packet, const Hits& hits, const Places& places, Int8 ambient,
+  void shade_soft(const Packet& packet, const Hits& hits, const Places& places, Ints ambient,
                   Workspace& workspace) const;
-  void shade_by_sky(const Packet& packet, const Hits& hits, const Places& places, Int8 ambient,
+  void shade_by_sky(const Packet& packet, const Hits& hits, const Places& places, Ints ambient,
                     Workspace& workspace) const;
   std::uint32_t light_samples(const Packet& packet) const;
-  Int8 reached(const Hits& hits, const Vec8& direction) const;
-  Int8 lit_by(const Step& step, const Vec8& direction, Float8 reach, Int8 lanes) const;
+  Ints reached(const Hits& hits, const Vectors& direction) const;
+  Ints lit_by(const Step& step, const Vectors& direction, Floats reach, Ints lanes) const;
   Places find_places(const Packet& packet, const Hits& hits, Workspace& workspace) const;
-  Int8 ambient_lanes(const Hits& hits, Int8 active) const;
-  void reflect(const Step& step, Int8 lit, Int8 wanted, const Vec8& to_light, Float8 weight) const;
-  void shade_through(const Step& step, Int8 lanes, Int8 ambient, const Vec8& to_light, Float8 reach,
-                     Float8 weight) const;
+  Ints ambient_lanes(const Hits& hits, Ints active) const;
+  void reflect(const Step& step, Ints lit, Ints wanted, const Vectors& to_light,
+               Floats weight) const;
+  void shade_through(const Step& step, Ints lanes, Ints ambient, const Vectors& to_light,
+                     Floats reach, Floats weight) const;
   Lobes evaluate(const RenderMaterial& material, const Angles& angles, Workspace& workspace) const;
-  Lobes evaluate_hits(const Step& step, Int8 lanes, Int8 lit, const Vec8& to_light,
-                      Float8 weight) const;
-  Lobes evaluate_each(const Hits& hits, Int8 lanes, const Angles& angles,
+  Lobes evaluate_hits(const Step& step, Ints lanes, Ints lit, const Vectors& to_light,
+                      Floats weight) const;
+  Lobes evaluate_each(const Hits& hits, Ints lanes, const Angles& angles,
                       Workspace& workspace) const;
-  Float8 scattered(const Packet& packet, const Hits& hits, const Vec8& direction,
+  Floats scattered(const Packet& packet, const Hits& hits, const Vectors& direction,
                    Workspace& workspace) const;
-  void interpolate(const Step& step, Int8 lanes, Lobes& lobes) const;
-  void gather(const Step& step, Lobes lobes, Int8 lanes) const;
-  static void scale(Lobes& lobes, Float8 factor);
+  void interpolate(const Step& step, Ints lanes, Lobes& lobes) const;
+  void gather(const Step& step, Lobes lobes, Ints lanes) const;
+  static void scale(Lobes& lobes, Floats factor);
   static void gather_fresnel(const Step& step, int lane, float cosine, float weight);
   void gather_factors(const Step& step, const Lobes& lobes) const;
   void gather_rough(const Step& step, const Lobes& lobes) const;

@@ -11,16 +11,16 @@
 #pragma GCC diagnostic ignored "-Wunused-function"
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 
-/// The sources in shaders/ that see vectors, for eight points at a time: Real is eight numbers, and
-/// a number that they name is the same in every lane. Each file that includes this has them to
-/// itself, so that they are inlined into its loops.
+/// The sources in shaders/ that see vectors, for a packet of points at a time: Real is a number of
+/// each, and a number that they name is the same in every lane. Each file that includes this has
+/// them to itself, so that they are inlined into its loops.
 namespace metamer::cpu::shared {
 namespace {
-using Real = Float8;
-using Vec3 = Vec8;
-using Bool = Int8;
-using Angles = models::Angles<Float8>;
-using Lobes = models::Lobes<Float8>;
+using Real = Floats;
+using Vec3 = Vectors;
+using Bool = Ints;
+using Angles = models::Angles<Floats>;
+using Lobes = models::Lobes<Floats>;
 #define Real(number) metamer::broadcast(static_cast<float>(number))
 // Each after what it calls.
 // clang-format off

@@ -6,8 +6,8 @@
 
 namespace metamer::cpu {
 
-Float8 Texturing::divide(const Packet& packet, const Hits& hits, Workspace& workspace) const {
-  Float8 own = metamer::broadcast(1);
+Floats Texturing::divide(const Packet& packet, const Hits& hits, Workspace& workspace) const {
+  Floats own = metamer::broadcast(1);
   workspace.texture_shares.clear();
   for (unsigned i = 0; i < lane_count; ++i) {
     if (!packet.active[i]) continue;

@@ -22,7 +22,7 @@ class Texturing {
 
   /// What of each lane's diffuse light is its material's own, 1 where it has no texture; the rest
   /// is in workspace.texture_shares then.
-  Float8 divide(const Packet& packet, const Hits& hits, Workspace& workspace) const;
+  Floats divide(const Packet& packet, const Hits& hits, Workspace& workspace) const;
 
   /// The material whose diffuse spectrum a lane has: its own, or with the probability of its share
   /// one of the texture's; `u` in [0, 1) says which. Nothing: the texture leaves it dark there.

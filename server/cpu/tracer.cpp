@@ -11,7 +11,7 @@
 namespace metamer::cpu {
 namespace {
 
-/// Pixels that share a packet, by the samples of each: at most eight samples together.
+/// Pixels that share a group of lanes, by the samples of each: at most eight samples together.
 std::pair<std::uint32_t, std::uint32_t> block_size(std::size_t spp) {
   if (spp == 1) return {4, 2};
   if (spp == 2) return {2, 2};
@@ -80,22 +80,23 @@ Tracer::Tracer(const RenderScene& scene, const EmbreeScene& geometry, const Fram
 
 void Tracer::prepare_samples(const std::vector<SamplePoint>& pattern) {
   const auto spp = static_cast<unsigned>(pattern.size());
-  const unsigned count = spp * block_width_ * block_height_;
-  samples_.resize((count + lane_count - 1) / lane_count);
-  for (unsigned i = 0; i < count; ++i) {
-    const unsigned pixel = i / spp, lane = i % lane_count;
-    Samples& samples = samples_[i / lane_count];
-    samples.active[lane] = -1;
-    samples.pixel[lane] = pixel;
-    samples.number[lane] = pattern[i % spp].number;
-    samples.x[lane] = static_cast<float>(pixel % block_width_) + pattern[i % spp].x;
-    samples.y[lane] = static_cast<float>(pixel / block_width_) + pattern[i % spp].y;
-  }
+  const unsigned count = spp * block_pixels();
+  samples_.resize((count + group_size - 1) / group_size);
+  for (unsigned i = 0; i < count; ++i)
+    for (unsigned lane = i % group_size; lane < lane_count; lane += group_size) {
+      const unsigned pixel = i / spp;
+      Samples& samples = samples_[i / group_size];
+      samples.active[lane] = -1;
+      samples.pixel[lane] = lane / group_size * block_pixels() + pixel;
+      samples.number[lane] = pattern[i % spp].number;
+      samples.x[lane] = static_cast<float>(pixel % block_width_) + pattern[i % spp].x;
+      samples.y[lane] = static_cast<float>(pixel / block_width_) + pattern[i % spp].y;
+    }
 }
 
 Tracer::Workspace Tracer::make_workspace() const {
   Workspace workspace;
-  workspace.gathers.assign(block_width_ * block_height_, gather_for(scene_));
+  workspace.gathers.assign(group_count * block_pixels(), gather_for(scene_));
   return workspace;
 }
 
@@ -103,35 +104,51 @@ void Tracer::render(const Rect& tile, PixelSink& sink, Workspace& workspace,
                     const std::atomic<bool>& cancelled, std::atomic<std::uint64_t>& work) const {
   for (std::uint32_t y = tile.y; y < tile.y + tile.height; y += block_height_) {
     if (cancelled.load(std::memory_order_relaxed)) return;
-    for (std::uint32_t x = tile.x; x < tile.x + tile.width; x += block_width_) {
-      gather_block(x, y, workspace);
-      for (unsigned pixel = 0; pixel < workspace.gathers.size(); ++pixel) {
-        const std::uint32_t px = x + pixel % block_width_, py = y + pixel / block_width_;
-        if (px < width_ && py < height_) sink.take(px, py, workspace.gathers[pixel]);
+    for (std::uint32_t x = tile.x; x < tile.x + tile.width; x += group_count * block_width_) {
+      std::array<BlockCorner, group_count> corners;
+      std::size_t blocks = 0;
+      for (std::uint32_t at = x; at < tile.x + tile.width && blocks < group_count;
+           at += block_width_)
+        corners[blocks++] = {at, y};
+      gather_blocks(std::span(corners).first(blocks), workspace);
+      for (std::size_t i = 0; i < blocks * block_pixels(); ++i) {
+        const auto pixel = static_cast<std::uint32_t>(i % block_pixels());
+        const std::uint32_t px = corners[i / block_pixels()].x + pixel % block_width_,
+                            py = y + pixel / block_width_;
+        if (px < width_ && py < height_) sink.take(px, py, workspace.gathers[i]);
       }
     }
     work.fetch_add(tile.width * block_height_, std::memory_order_relaxed);
   }
 }
 
-void Tracer::gather_block(std::uint32_t x, std::uint32_t y, Workspace& workspace) const {
+void Tracer::gather_blocks(std::span<const BlockCorner> corners, Workspace& workspace) const {
   for (Gather& gather : workspace.gathers) gather.clear();
+  Floats left{}, top{};
+  Ints used{};
+  for (std::size_t group = 0; group < corners.size(); ++group) {
+    const Ints lanes = lanes_of(static_cast<unsigned>(group));
+    left = select(lanes, metamer::broadcast(static_cast<float>(corners[group].x)), left);
+    top = select(lanes, metamer::broadcast(static_cast<float>(corners[group].y)), top);
+    used |= lanes;
+  }
   for (const Samples& samples : samples_) {
-    const Float8 film_x = metamer::broadcast(static_cast<float>(x)) + samples.x;
-    const Float8 film_y = metamer::broadcast(static_cast<float>(y)) + samples.y;
+    const Floats film_x = left + samples.x, film_y = top + samples.y;
     Packet packet;
-    packet.active = samples.active & (film_x < static_cast<float>(width_)) &
+    packet.active = used & samples.active & (film_x < static_cast<float>(width_)) &
                     (film_y < static_cast<float>(height_));
     packet.pixel = samples.pixel;
     if (is_sampled_) {
       packet.sample = samples.number;
       for (unsigned i = 0; i < lane_count; ++i) {
-        const std::uint32_t px = x + samples.pixel[i] % block_width_;
-        packet.seed[i] = soft::hashed(px, y + samples.pixel[i] / block_width_ + seed_);
+        if (!used[i]) continue;
+        const auto [x, y] = corners[i / group_size];
+        const std::uint32_t pixel = samples.pixel[i] % block_pixels();
+        packet.seed[i] = soft::hashed(x + pixel % block_width_, y + pixel / block_width_ + seed_);
       }
     }
     packet.origin = eye_;
-    const Vec8 way = corner_ + across_ * film_x + down_ * film_y;
+    const Vectors way = corner_ + across_ * film_x + down_ * film_y;
     packet.direction = shared::unit(way);
     if (lens_) lens_->put_rays(way, packet);
     if (tree_)
@@ -143,7 +160,7 @@ void Tracer::gather_block(std::uint32_t x, std::uint32_t y, Workspace& workspace
 
 void Tracer::trace(Packet& packet, Workspace& workspace) const {
   for (unsigned mirrors = 0;; ++mirrors) {
-    workspace.rays += static_cast<unsigned>(count(packet.active));
+    workspace.add_rays(packet.kind, packet.active);
     Hits hits = geometry_.intersect(packet.origin, packet.direction, packet.active);
     if (const auto& soft = shading_.soft(); !soft.empty())
       soft.add(packet, soft.find(packet, hits), workspace);
@@ -164,7 +181,7 @@ void Tracer::trace(Packet& packet, Workspace& workspace) const {
 
 void Tracer::reflect(Packet& packet, const Hits& hits, Workspace& workspace) const {
   // Keep the lanes that met a mirror.
-  const Float8 incidence = shared::cosine(-dot(hits.normal, packet.direction));
+  const Floats incidence = shared::cosine(-dot(hits.normal, packet.direction));
   for (unsigned i = 0; i < lane_count; ++i) {
     if (!packet.active[i]) continue;
     const auto material = static_cast<std::uint32_t>(hits.material[i]);
@@ -180,13 +197,14 @@ void Tracer::reflect(Packet& packet, const Hits& hits, Workspace& workspace) con
   }
 
   // Reflect about the shading normal, or the surface's own where that would lead below it.
-  const auto mirrored = [&](const Vec8& normal) {
+  const auto mirrored = [&](const Vectors& normal) {
     return packet.direction - normal * (2.0f * dot(packet.direction, normal));
   };
-  const Vec8 smooth = mirrored(hits.normal);
-  const Int8 above = dot(smooth, hits.geometric_normal) > 0.0f;
+  const Vectors smooth = mirrored(hits.normal);
+  const Ints above = dot(smooth, hits.geometric_normal) > 0.0f;
   packet.direction = shared::unit(select(above, smooth, mirrored(hits.geometric_normal)));
   packet.origin = packet.point;
+  packet.kind = RayKind::mirror;
   packet.from_eye = false;
 }
 

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "metamer/v1/plan.pb.h"
@@ -16,10 +17,11 @@
 
 namespace metamer::cpu {
 
-/// Traces rays in packets of eight samples, which Shading turns into weights; knows nothing of
-/// spectra. A packet belongs to one pixel, or, below eight samples, to a small block of pixels at a
-/// fixed place of the picture: so the result depends on neither tiles nor threads. Immutable,
-/// shared by threads.
+/// Traces rays in packets, which Shading turns into weights; knows nothing of spectra. A packet's
+/// group of eight lanes belongs to one pixel, or, below eight samples, to a small block of pixels
+/// at a fixed place of the picture; what it makes of it does not depend on the other group. So the
+/// result depends on neither tiles nor threads nor the number of lanes. Immutable, shared by
+/// threads.
 class Tracer {
  public:
   /// What is traced, from the scene's camera.
@@ -52,20 +54,25 @@ class Tracer {
   void render(const Rect& tile, PixelSink& sink, Workspace& workspace,
               const std::atomic<bool>& cancelled, std::atomic<std::uint64_t>& work) const;
 
-  /// Pixels that are traced together; a block's corner lies on multiples of its sides.
+  /// Pixels that a group of lanes traces together; a block's corner lies on multiples of its sides.
   std::uint32_t block_width() const { return block_width_; }
   std::uint32_t block_height() const { return block_height_; }
-  /// Traces the block whose corner is `x`, `y`: what its pixels receive is in `workspace.gathers`
-  /// then, row by row; that of pixels outside the picture is empty.
-  void gather_block(std::uint32_t x, std::uint32_t y, Workspace& workspace) const;
+  std::uint32_t block_pixels() const { return block_width_ * block_height_; }
+  /// Where a block begins, in pixels.
+  struct BlockCorner {
+    std::uint32_t x, y;
+  };
+  /// Traces some blocks, up to group_count: what their pixels receive is in `workspace.gathers`
+  /// then, block by block and row by row; that of pixels outside the picture is empty.
+  void gather_blocks(std::span<const BlockCorner> corners, Workspace& workspace) const;
 
  private:
-  /// Eight samples of a block, from its corner, in pixels.
+  /// Samples of a packet, alike in each group, from its block's corner in pixels.
   struct Samples {
-    Float8 x{}, y{};
-    Int8 active{};
-    std::array<std::uint32_t, 8> pixel{};   ///< Of the block, row by row.
-    std::array<std::uint32_t, 8> number{};  ///< SamplePoint::number.
+    Floats x{}, y{};
+    Ints active{};
+    std::array<std::uint32_t, lane_count> pixel{};   ///< Of the blocks, row by row.
+    std::array<std::uint32_t, lane_count> number{};  ///< SamplePoint::number.
   };
 
   void prepare_samples(const std::vector<SamplePoint>& pattern);
@@ -82,10 +89,10 @@ class Tracer {
   std::uint32_t width_, height_;
   std::uint32_t seed_;
   bool is_sampled_;  ///< Some light is looked at by points or ways that are chosen.
-  std::uint32_t block_width_, block_height_;  ///< Pixels of a packet below eight samples; else 1×1.
+  std::uint32_t block_width_, block_height_;  ///< Pixels of a group below eight samples; else 1×1.
   std::vector<Samples> samples_;              ///< Of one block.
   std::optional<Lens> lens_;                  ///< Of a camera that is no pinhole.
-  Vec8 eye_, corner_, across_,
+  Vectors eye_, corner_, across_,
       down_;  ///< Direction = corner + x across + y down, x and y in pixels.
 };
 

@@ -22,8 +22,8 @@ namespace metamer::models {
 namespace f32 {
 namespace {
 using Real = float;
-using Wide = Float8;
-constexpr int width = lane_count;
+using Wide = LaneGroup;
+constexpr int width = group_size;
 Real exp(Real x) { return ::expf(x); }
 Real log(Real x) { return ::logf(x); }
 Real log1p(Real x) { return ::log1pf(x); }
@@ -39,10 +39,10 @@ Real max(Real a, Real b) { return a > b ? a : b; }
 }  // namespace
 }  // namespace f32
 
-Lobes<Float8> evaluate(const Reflection<float>& reflection, const Angles<Float8>& angles) {
+Lobes<LaneGroup> evaluate(const Reflection<float>& reflection, const Angles<LaneGroup>& angles) {
   return f32::evaluate(reflection, angles);
 }
-Float8 ripples(Float8 height, Float8 spread, float nm) {
+LaneGroup ripples(LaneGroup height, LaneGroup spread, float nm) {
   const float k = 6283.1853f / nm;
   return f32::ripples_value(height, spread, k * k);
 }
@@ -50,15 +50,15 @@ RoughMirrorF32 rough_mirror(const Reflection<float>::Parameters& parameters, flo
   const auto mirror = f32::he_torrance_mirror(u, 1 - u, f32::unpack<f32::HeTorrance>(parameters));
   return {mirror.masking, mirror.depth};
 }
-Float8 slope(Slope which, const Reflection<float>::Parameters& parameters,
-             const Angles<Float8>& angles) {
+LaneGroup slope(Slope which, const Reflection<float>::Parameters& parameters,
+                const Angles<LaneGroup>& angles) {
   return f32::slope_value(which, parameters, angles);
 }
-Float8 attenuation(Attenuation which, float roughness, const Angles<Float8>& angles) {
+LaneGroup attenuation(Attenuation which, float roughness, const Angles<LaneGroup>& angles) {
   return f32::attenuation_value(which, roughness, angles);
 }
-Float8 diffuse(DiffuseTerm which, const Reflection<float>::Parameters& parameters,
-               const Angles<Float8>& angles) {
+LaneGroup diffuse(DiffuseTerm which, const Reflection<float>::Parameters& parameters,
+                  const Angles<LaneGroup>& angles) {
   return f32::diffuse_value(which, parameters, angles);
 }
 float schlick_rise(float u) { return f32::schlick_rise(u); }

@@ -5,12 +5,15 @@
 
 namespace metamer::models {
 
-/// The model for eight points of one material, in f32 by the shared sources.
-Lobes<Float8> evaluate(const Reflection<float>& reflection, const Angles<Float8>& angles);
+// However many groups a packet has, this is compiled once: so that its bits, those of glibc's
+// vector functions among them, are the same.
+
+/// The model for a group of points of one material, in f32 by the shared sources.
+Lobes<LaneGroup> evaluate(const Reflection<float>& reflection, const Angles<LaneGroup>& angles);
 
 /// What lobes whose geometry depends on wavelength are multiplied by, at a wavelength: see
 /// shaders/models/ripples.glsl. Their heights are not negative.
-Float8 ripples(Float8 height, Float8 spread, float nm);
+LaneGroup ripples(LaneGroup height, LaneGroup spread, float nm);
 /// As in common/models/reference.h.
 struct RoughMirrorF32 {
   float masking, depth;
@@ -18,11 +21,11 @@ struct RoughMirrorF32 {
 RoughMirrorF32 rough_mirror(const Reflection<float>::Parameters& parameters, float u);
 
 /// The parts by themselves, for tests.
-Float8 slope(Slope which, const Reflection<float>::Parameters& parameters,
-             const Angles<Float8>& angles);
-Float8 attenuation(Attenuation which, float roughness, const Angles<Float8>& angles);
-Float8 diffuse(DiffuseTerm which, const Reflection<float>::Parameters& parameters,
-               const Angles<Float8>& angles);
+LaneGroup slope(Slope which, const Reflection<float>::Parameters& parameters,
+                const Angles<LaneGroup>& angles);
+LaneGroup attenuation(Attenuation which, float roughness, const Angles<LaneGroup>& angles);
+LaneGroup diffuse(DiffuseTerm which, const Reflection<float>::Parameters& parameters,
+                  const Angles<LaneGroup>& angles);
 float schlick_rise(float u);  ///< (1 − u)⁵
 float dielectric_fresnel(float u, float n);
 float conductor_fresnel(float u, float n, float k);

@@ -15,6 +15,7 @@
 #include "server/film/sample_pattern.h"
 #include "server/methods/method.h"
 #include "server/render/probe.h"
+#include "server/render/ray_counts.h"
 #include "server/scene/render_scene.h"
 
 namespace metamer {
@@ -72,6 +73,9 @@ class Renderer {
 
   /// What of its building an earlier job had left: "programs", "geometry". After a change().
   virtual std::vector<std::string> warm() const { return {}; }
+  /// Those of the picture's whole tiles so far, by the thread that draws; none: they are not
+  /// counted.
+  virtual RayCounts rays() const { return {}; }
 
   /// This scene for the choice of a method; belongs to the lane's thread, and ends before this.
   virtual std::unique_ptr<Probe> make_probe() = 0;

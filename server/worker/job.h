@@ -110,6 +110,7 @@ class Job {
   JobMessages messages_;
   RunClock run_clock_;
   std::atomic<std::uint32_t> tiles_drawn_ = 0;
+  RayCounts rays_;  ///< Of what draw() has drawn.
   const WorkerOptions& options_;
   Work& work_;
   ViewTurns& view_turns_;

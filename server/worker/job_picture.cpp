@@ -105,6 +105,7 @@ Result<void> Job::draw(const v1::RenderTiles& message, const Film& film) {
   const RunClock::Span span(run_clock_, Phase::render);
   renderer_->begin(std::move(picture));
   auto drawn = draw_on();
+  rays_ += renderer_->rays();
   renderer_->report(timing_);
   return drawn;
 }
@@ -142,6 +143,13 @@ v1::RunRecord Job::record() {
   run_clock_.report(record);
   if (renderer_)
     for (const std::string& one : renderer_->warm()) record.add_warm(one);
+  for (std::size_t i = 0; i < rays_.of.size(); ++i) {
+    if (rays_.of[i].packets == 0) continue;
+    v1::RayCount& kind = *record.add_rays();
+    kind.set_kind(ray_kind_names[i]);
+    kind.set_rays(rays_.of[i].rays);
+    kind.set_packets(rays_.of[i].packets);
+  }
   return record;
 }
 

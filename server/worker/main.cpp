@@ -31,7 +31,7 @@ constexpr int film_descriptor = 4;
 
 constexpr const char* usage =
     "usage: metamer-worker --store DIR --threads N [--gl-device auto|reference|N] [--nice N] "
-    "[--group DIR] [--unconfined yes] [--isa avx2]\n"
+    "[--group DIR] [--unconfined yes] [--isa native|avx2|avx512]\n"
     "Started by metamerd; descriptor 3 is its socket, descriptor 4 the picture's memory.\n"
     "   or: metamer-worker --batch FILE [--threads N] [--gl-device …] [--nice N] [--unconfined "
     "yes]\n"
@@ -67,18 +67,22 @@ std::unique_ptr<metamer::gl::Device> open_device(const std::string& which,
 }
 
 /// What is known of this machine before it can't be read any more.
-metamer::v1::MachineRecord describe_machine(const metamer::Backend& backend) {
+metamer::v1::MachineRecord describe_machine(const metamer::Backend& backend,
+                                            metamer::cpu::Isa isa) {
   metamer::v1::MachineRecord machine;
   machine.set_name(metamer::host_name());
   machine.set_cpu(metamer::processor_name());
   metamer::v1::Capabilities capabilities;
   backend.describe(capabilities);
   machine.set_gpu(capabilities.gl().renderer());
+  machine.set_isa(metamer::cpu::name_of(isa));
+  machine.set_lanes(metamer::cpu::packet_rays(isa));
   return machine;
 }
 
 /// Exit codes: 0 the daemon is gone, 1 this machine or this daemon can't run it, 2 usage.
-int run(metamer::worker::WorkerOptions options, const std::string& gl_device, bool unconfined) {
+int run(metamer::worker::WorkerOptions options, const std::string& gl_device,
+        const std::string& isa, bool unconfined) {
 #ifdef __AVX2__
   if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) {
     std::fprintf(stderr, "metamer-worker: this processor lacks AVX2 and FMA\n");
@@ -92,6 +96,7 @@ int run(metamer::worker::WorkerOptions options, const std::string& gl_device, bo
     return 1;
   }
   options.importer = importer.get();
+  if (isa == "avx2") metamer::cpu::keep_embree_to(isa);
   metamer::worker::end_when_out_of_memory();
   metamer::worker::Link link(link_descriptor);
   options.tell_damage = [&link](const std::string& digest) {
@@ -101,15 +106,20 @@ int run(metamer::worker::WorkerOptions options, const std::string& gl_device, bo
   };
   std::unique_ptr<metamer::gl::Device> device;
   std::unique_ptr<metamer::Backend> backend;
+  const auto chosen = metamer::cpu::choose_isa(isa);
+  if (!chosen) {
+    say_failed(chosen.error().message, link);
+    return 1;
+  }
   if (gl_device.empty()) {
-    backend = metamer::cpu::make_backend(options.threads);
+    backend = metamer::cpu::make_backend(options.threads, *chosen);
   } else {
     device = open_device(gl_device, link);
     if (!device) return 1;
     backend = metamer::gl::make_backend(*device, options.threads);
   }
   options.backend = backend.get();
-  options.machine = describe_machine(*backend);
+  options.machine = describe_machine(*backend, *chosen);
   const metamer::sandbox::Confinement confinement =
       metamer::sandbox::enter(options.store, metamer::sandbox::open_devices(film_descriptor));
   if (!confinement.lacks.empty() && !unconfined) {
@@ -125,6 +135,8 @@ int run(metamer::worker::WorkerOptions options, const std::string& gl_device, bo
   *ready.mutable_ready()->mutable_capabilities() = metamer::worker::capabilities(
       options, {{"cpu", metamer::cpu::features}, {"gl", metamer::gl::features}});
   ready.mutable_ready()->set_sandbox(metamer::sandbox::describe(confinement));
+  ready.mutable_ready()->set_isa(options.machine.isa());
+  ready.mutable_ready()->set_lanes(options.machine.lanes());
   if (!link.send(ready)) return 0;
 
   const metamer::worker::Heartbeat heartbeat(link, work, busy);
@@ -143,16 +155,16 @@ int run(metamer::worker::WorkerOptions options, const std::string& gl_device, bo
 int main(int count, char** arguments) {
   metamer::worker::WorkerOptions options{
       .store = {}, .threads = 0, .backend = nullptr, .film_descriptor = film_descriptor};
-  std::string gl_device, order;
+  std::string gl_device, order, isa = "native";
   bool unconfined = false;
+  if (const char* word = std::getenv("METAMER_ISA"); word != nullptr && *word != '\0') isa = word;
   for (int i = 1; i + 1 < count; i += 2) {
     if (std::strcmp(arguments[i], "--store") == 0) options.store = arguments[i + 1];
     if (std::strcmp(arguments[i], "--batch") == 0) order = arguments[i + 1];
     if (std::strcmp(arguments[i], "--gl-device") == 0) gl_device = arguments[i + 1];
     if (std::strcmp(arguments[i], "--group") == 0) enter_group(arguments[i + 1]);
     if (std::strcmp(arguments[i], "--unconfined") == 0) unconfined = true;
-    if (std::strcmp(arguments[i], "--isa") == 0 && std::strcmp(arguments[i + 1], "avx2") == 0)
-      metamer::cpu::keep_to_avx2();
+    if (std::strcmp(arguments[i], "--isa") == 0) isa = arguments[i + 1];
     // Before there is a thread or the importer, which are as nice as this.
     if (std::strcmp(arguments[i], "--nice") == 0 &&
         setpriority(PRIO_PROCESS, 0, std::atoi(arguments[i + 1])) != 0)
@@ -175,5 +187,5 @@ int main(int count, char** arguments) {
   // Without a daemon there is nothing to save and nobody to wait for: leave without the libraries'
   // farewells. (A leak checker would hang in its own: the sandbox keeps it from looking at
   // threads.)
-  std::_Exit(run(options, gl_device, unconfined));
+  std::_Exit(run(options, gl_device, isa, unconfined));
 }

@@ -1,5 +1,5 @@
 // How fast the tracer is, what each method costs over `rgb`, and how much of Embree's own rate is
-// left. Every figure of the table at the end is a ratio of medians of one interleaved run.
+// left, by ISA. Every figure of the table at the end is a ratio of medians of one interleaved run.
 
 #include <benchmark/benchmark.h>
 
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "common/scene/methods.h"
+#include "server/cpu/renderer.h"
 #include "server/cpu/tracer.h"
 #include "tests/bench/bench_scene.h"
 #include "tests/bench/raw_rays.h"
@@ -21,9 +22,9 @@ using namespace metamer;
 
 /// A scene in Embree and everything that a case needs; built once.
 struct Bench {
-  explicit Bench(bool mirrors, unsigned spp)
+  explicit Bench(bool mirrors, unsigned spp, const std::string& embree = "")
       : scene(bench::make_ground(176, mirrors)),
-        geometry(*cpu::EmbreeScene::build(scene, never)),
+        geometry(build(scene, embree)),
         plan(bench::make_plan(scene, spp)),
         pixels(std::size_t{plan.width()} * plan.height() * 3) {}
 
@@ -36,7 +37,15 @@ struct Bench {
     for (std::uint32_t y = 0; y < plan.height(); y += plan.tile_size())
       for (std::uint32_t x = 0; x < plan.width(); x += plan.tile_size())
         tracer.render({x, y, plan.tile_size(), plan.tile_size()}, sink, workspace, never, work);
-    return workspace.rays;
+    return workspace.rays.rays();
+  }
+
+  static cpu::EmbreeScene build(const RenderScene& scene, const std::string& embree) {
+    const std::atomic<bool> never = false;
+    cpu::keep_embree_to(embree);
+    cpu::EmbreeScene geometry = *cpu::EmbreeScene::build(scene, never);
+    cpu::keep_embree_to("");
+    return geometry;
   }
 
   std::atomic<bool> never = false;
@@ -49,6 +58,10 @@ struct Bench {
 
 Bench& direct() {
   static Bench bench(false, 16);
+  return bench;
+}
+Bench& direct_avx2() {
+  static Bench bench(false, 16, "avx2");
   return bench;
 }
 Bench& direct_single() {
@@ -69,10 +82,34 @@ void render(benchmark::State& state, Bench& bench, const v1::Method& choice) {
       benchmark::Counter(static_cast<double>(rays) / 1e6, benchmark::Counter::kIsRate);
 }
 
+/// By the tracer of an ISA, as a worker has it, on one thread.
+void render_by(benchmark::State& state, Bench& bench, cpu::Isa isa) {
+  *bench.plan.mutable_method() = bench::rgb_method();
+  bench.plan.set_threads(1);
+  const auto method = make_method(bench.plan, bench.scene);
+  cpu::keep_embree_to(isa == cpu::Isa::avx2 ? "avx2" : "");
+  const auto renderer = cpu::make_backend(1, isa)->make_renderer(bench.scene, "");
+  const bool changed = renderer->change(bench.plan, *method, bench.never).has_value();
+  cpu::keep_embree_to("");
+  if (!changed) return state.SkipWithError("the renderer refuses the scene");
+  for (auto _ : state) {
+    Picture picture;
+    picture.film = {bench.pixels.data(), bench.plan.width(), bench.plan.height()};
+    picture.samples = sample_pattern(bench.plan.spp());
+    renderer->begin(std::move(picture));
+    if (!renderer->draw({bench.never, [] { return false; }, bench.work}))
+      state.SkipWithError("the renderer fails");
+  }
+  state.counters["Mrays/s"] = benchmark::Counter(
+      static_cast<double>(renderer->rays().rays()) * static_cast<double>(state.iterations()) / 1e6,
+      benchmark::Counter::kIsRate);
+}
+
+template <int lanes>
 void raw_embree(benchmark::State& state, Bench& bench) {
   *bench.plan.mutable_method() = bench::rgb_method();
   const std::uint64_t traced = bench.render(*make_method(bench.plan, bench.scene));
-  const bench::RawRays rays(bench.scene, bench.geometry, bench.plan);
+  const bench::RawRays<lanes> rays(bench.scene, bench.geometry, bench.plan);
   // The last bits of a direction decide which rays meet an edge: a few in ten thousand may differ.
   if (std::abs(static_cast<double>(rays.count()) / static_cast<double>(traced) - 1) > 1e-3) {
     state.SkipWithError("the tracer did not issue the same rays");
@@ -114,7 +151,13 @@ class Report : public benchmark::ConsoleReporter {
 
   void print_ratios() const {
     const auto ratio = [&](const std::string& a, const std::string& b) {
-      std::printf("%-28s / %-20s %6.3f\n", a.c_str(), b.c_str(), medians_.at(a) / medians_.at(b));
+      if (medians_.count(a) != 0 && medians_.count(b) != 0)
+        std::printf("%-28s / %-20s %6.3f\n", a.c_str(), b.c_str(), medians_.at(a) / medians_.at(b));
+    };
+    const auto share = [&](const std::string& whole, const std::string& part) {
+      if (medians_.count(whole) != 0 && medians_.count(part) != 0)
+        std::printf("%-51s %6.1f %%\n", whole.c_str(),
+                    100 * medians_.at(part) / medians_.at(whole));
     };
     std::printf(
         "\ntime, relative (median CPU times of this run; the source's Table 4.2-1 has 1.13, 1.15, "
@@ -123,10 +166,13 @@ class Report : public benchmark::ConsoleReporter {
       for (const auto& [method, choice] : cases())
         if (method != "rgb") ratio(std::string(group) + "/" + method, std::string(group) + "/rgb");
     std::printf("\nshare of Embree's own rate for the same rays\n");
-    std::printf("%-51s %6.1f %%\n", "direct/rgb",
-                100 * medians_.at("direct/embree") / medians_.at("direct/rgb"));
-    std::printf("%-51s %6.1f %%\n", "direct/point/301",
-                100 * medians_.at("direct/embree") / medians_.at("direct/point/301"));
+    share("direct/rgb", "direct/embree");
+    share("direct/point/301", "direct/embree");
+    for (const char* isa : {"avx2", "avx512"})
+      share(std::string("isa/") + isa + "/rgb", std::string("isa/") + isa + "/embree");
+    std::printf("\ntime by ISA, relative\n");
+    for (const char* what : {"rgb", "embree"})
+      ratio(std::string("isa/avx2/") + what, std::string("isa/avx512/") + what);
   }
 
  private:
@@ -158,9 +204,16 @@ int main(int count, char** arguments) {
   add("direct", direct);
   add("direct_1spp", direct_single);
   add("mirrors", mirrors);
-  benchmark::RegisterBenchmark("direct/embree", [](auto& state) {
-    raw_embree(state, direct());
-  })->Unit(benchmark::kMillisecond);
+  const auto add_one = [](const char* name, auto run) {
+    benchmark::RegisterBenchmark(name, run)->Unit(benchmark::kMillisecond);
+  };
+  add_one("direct/embree", [](auto& state) { raw_embree<8>(state, direct()); });
+  add_one("isa/avx2/rgb", [](auto& state) { render_by(state, direct(), cpu::Isa::avx2); });
+  add_one("isa/avx2/embree", [](auto& state) { raw_embree<8>(state, direct_avx2()); });
+  if (cpu::choose_isa("avx512")) {
+    add_one("isa/avx512/rgb", [](auto& state) { render_by(state, direct(), cpu::Isa::avx512); });
+    add_one("isa/avx512/embree", [](auto& state) { raw_embree<16>(state, direct()); });
+  }
   Report report;
   benchmark::RunSpecifiedBenchmarks(&report);
   report.print_ratios();

@@ -50,11 +50,11 @@ std::vector<double> evaluate_f64(const Row& row) {
           lobes.cosine,  lobes.height,   lobes.spread};
 }
 
-models::Angles<Float8> lanes(const Row& row) {
+models::Angles<Floats> lanes(const Row& row) {
   const auto lane = [](double value) { return broadcast(static_cast<float>(value)); };
   if (row.from_vectors) {
     const auto vector = [&](std::size_t i) {
-      return Vec8{lane(row.inputs[i]), lane(row.inputs[i + 1]), lane(row.inputs[i + 2])};
+      return Vectors{lane(row.inputs[i]), lane(row.inputs[i + 1]), lane(row.inputs[i + 2])};
     };
     return cpu::shared::angles_of(vector(0), vector(3), vector(6), vector(9), lane(row.inputs[12]),
                                   true, true);

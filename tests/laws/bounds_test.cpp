@@ -19,7 +19,7 @@ constexpr int batches = law_inputs / 8;  // Of eight points each.
 /// Eight points in the form of either build, with the same numbers.
 struct Points {
   std::array<Angles<double>, lane_count> f64;
-  Angles<Float8> f32;
+  Angles<Floats> f32;
 };
 
 Points points(Random& random) {
@@ -29,7 +29,7 @@ Points points(Random& random) {
     const auto a = rounded_to_f32(
         models::angles_between(normal, tangent, to_light, random.towards_mirror(to_light)));
     result.f64[static_cast<std::size_t>(i)] = a;
-    const auto set = [&](Float8& to, double value) { to[i] = static_cast<float>(value); };
+    const auto set = [&](Floats& to, double value) { to[i] = static_cast<float>(value); };
     set(result.f32.n_dot_l, a.n_dot_l);
     set(result.f32.n_dot_v, a.n_dot_v);
     set(result.f32.n_dot_h, a.n_dot_h);
@@ -96,7 +96,7 @@ void expect_lawful_parts(Kind kind, F64 f64, F32 f32) {
       const auto parameters32 = extremes::single(parameters);
       std::copy(parameters32.begin(), parameters32.end(), parameters.begin());
       const Points at = points(random);
-      const Float8 lanes = f32(part.index, parameters32, at.f32);
+      const Floats lanes = f32(part.index, parameters32, at.f32);
       for (int i = 0; i < lane_count; ++i) {
         const auto& angles = at.f64[static_cast<std::size_t>(i)];
         expect_lawful(f64(part.index, parameters, angles), lanes[i],
@@ -146,8 +146,8 @@ TEST(Laws, EachLaneIsItsOwn) {
     const Points at = points(random);
     const auto together = models::evaluate(reflection, at.f32);
     for (int i = 0; i < lane_count; ++i) {
-      Angles<Float8> one = at.f32;
-      for (Float8* lanes : {&one.n_dot_l, &one.n_dot_v, &one.n_dot_h, &one.v_dot_h, &one.r_dot_v,
+      Angles<Floats> one = at.f32;
+      for (Floats* lanes : {&one.n_dot_l, &one.n_dot_v, &one.n_dot_h, &one.v_dot_h, &one.r_dot_v,
                             &one.n_l_versine, &one.n_v_versine, &one.n_h_versine, &one.r_v_versine,
                             &one.azimuth, &one.tangent, &one.bitangent, &one.solid_angle})
         *lanes = broadcast((*lanes)[i]);

@@ -186,7 +186,7 @@ TEST(HeTorrance, OfEightLanesIsThatOfF64) {
     const double height = std::pow(10, random.between(-9, 2.8)),
                  spread = height * std::pow(10, random.between(-3, 2));
     const double nm = random.between(390, 730), exact = models::ripples(height, spread, nm);
-    const Float8 lanes =
+    const Floats lanes =
         models::ripples(broadcast(static_cast<float>(height)),
                         broadcast(static_cast<float>(spread)), static_cast<float>(nm));
     EXPECT_NEAR(lanes[i % 8], exact, 1e-3 * exact + 1e-6 * models::ripples(height, 0, nm))

@@ -102,7 +102,7 @@ TEST(Lights, AtThePlaceOfALightNothingIsAsked) {
 /// A light of a line, drawn at random, and the same in lanes.
 struct Drawn {
   Values<double> f64{};
-  Values<Float8> f32{};
+  Values<Floats> f32{};
 };
 
 Drawn draw(const Entry& entry, std::mt19937& engine) {

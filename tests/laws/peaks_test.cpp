@@ -27,7 +27,7 @@ constexpr double horizon = 1e-3;
 /// The angles of four f32 vectors, each the rounding of a unit vector, by f64 and by f32.
 struct Point {
   Angles<double> f64;
-  Angles<Float8> f32;
+  Angles<Floats> f32;
 };
 
 Vector3d rounded(const Vector3d& v) { return v.cast<float>().cast<double>(); }

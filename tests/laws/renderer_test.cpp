@@ -35,7 +35,7 @@ struct Named {
 std::vector<Named> backends() {
   setenv("MESA_SHADER_CACHE_DISABLE", "1", 1);  // Or the cache lands in $HOME.
   std::vector<Named> all;
-  all.push_back({"cpu", nullptr, cpu::make_backend(2)});
+  all.push_back({"cpu", nullptr, cpu::make_backend(2, cpu::Isa::avx2)});
   auto device = gl::Device::create("auto");
   if (!device) throw std::runtime_error(device.error().message);
   auto kept = std::make_unique<gl::Device>(std::move(*device));

@@ -58,7 +58,7 @@ Rendered render(const std::string& scene_text, const Files& files) {
     for (std::uint32_t x = 0; x < plan.width(); x += size)
       tracer.render({x, y, std::min(size, plan.width() - x), std::min(size, plan.height() - y)},
                     sink, workspace, never, work);
-  picture.rays = workspace.rays;
+  picture.rays = workspace.rays.rays();
   return picture;
 }
 

@@ -85,7 +85,7 @@ int main() {
   exact.n_dot_l = 0.5;
   exact.n_dot_h = 0.95;
   const auto f64 = models::evaluate(in_f64, exact);
-  models::Angles<Float8> angles{};
+  models::Angles<Floats> angles{};
   angles.n_dot_l = broadcast(0.5f);
   angles.n_dot_h = broadcast(0.95f);
   const auto f32 = models::evaluate(in_f32, angles);

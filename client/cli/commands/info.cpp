@@ -54,11 +54,14 @@ void print_server(const v1::Info& info, double ping, Report& report) {
   print_users(info, report);
   print_sessions(info, report);
   for (const v1::WorkerInfo& worker : info.worker())
-    report.wrapped(worker.backend() + " worker" +
-                   (worker.pid() ? " " + std::to_string(worker.pid()) : "") + ": " +
-                   worker.state() + ", start " + std::to_string(worker.starts()) +
-                   (worker.sandbox().empty() ? "" : ", sandbox " + worker.sandbox()) +
-                   (worker.last_exit().empty() ? "" : "; the one before: " + worker.last_exit()));
+    report.wrapped(
+        worker.backend() + " worker" + (worker.pid() ? " " + std::to_string(worker.pid()) : "") +
+        ": " + worker.state() + ", start " + std::to_string(worker.starts()) +
+        (worker.isa().empty()
+             ? ""
+             : ", " + worker.isa() + " in packets of " + std::to_string(worker.lanes())) +
+        (worker.sandbox().empty() ? "" : ", sandbox " + worker.sandbox()) +
+        (worker.last_exit().empty() ? "" : "; the one before: " + worker.last_exit()));
   report.wrapped("backends: " + list(info.capabilities().backend()) + " (" +
                  std::to_string(info.capabilities().threads()) + " threads)");
   if (info.capabilities().has_gl()) print_gl(info.capabilities().gl(), report);

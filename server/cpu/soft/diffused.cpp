@@ -11,11 +11,11 @@ namespace {
 constexpr std::uint32_t of_direction = 1U << 31, of_spectrum = of_direction + 1;
 
 /// Unit vectors whose density is the cosine of their angle to the normal by π (Malley's method).
-Vec8 by_cosine(const Vec8& normal, const soft::Point8& point) {
-  Float8 x, y;
+Vectors by_cosine(const Vectors& normal, const soft::Points& point) {
+  Floats x, y;
   soft::turn(point.v, x, y);
-  const Float8 radius = sqrt(point.u), height = sqrt(1.0f - point.u);
-  Vec8 s, t;
+  const Floats radius = sqrt(point.u), height = sqrt(1.0f - point.u);
+  Vectors s, t;
   soft::basis(normal, s, t);
   return shared::unit((s * x + t * y) * radius + normal * height);
 }
@@ -25,7 +25,7 @@ Vec8 by_cosine(const Vec8& normal, const soft::Point8& point) {
 Packet Shading::diffused(const Packet& packet, const Hits& hits, std::uint32_t way,
                          std::uint32_t ways, Workspace& workspace) const {
   Packet to = packet;
-  soft::Point8 point, chosen;
+  soft::Points point, chosen;
   for (unsigned i = 0; i < lane_count; ++i) {
     if (!packet.active[i]) continue;
     const auto [index, seed] = soft::pattern_of(packet, i, ways, way, of_direction);
@@ -37,6 +37,7 @@ Packet Shading::diffused(const Packet& packet, const Hits& hits, std::uint32_t w
   }
   to.origin = packet.point;
   to.direction = by_cosine(hits.normal, point);
+  to.kind = RayKind::diffuse;
   to.from_eye = false;
   to.diffused = true;
   to.active &= dot(to.direction, hits.geometric_normal) > 0.0f;
@@ -55,17 +56,17 @@ Packet Shading::diffused(const Packet& packet, const Hits& hits, std::uint32_t w
 }
 
 /// The diffuse part of what the lanes' models reflect of light from there, by that of Lambert's.
-Float8 Shading::scattered(const Packet& packet, const Hits& hits, const Vec8& direction,
+Floats Shading::scattered(const Packet& packet, const Hits& hits, const Vectors& direction,
                           Workspace& workspace) const {
   // A model that is a BRDF sees the whole of a hemisphere by the cosine, π.
-  const Float8 whole = metamer::broadcast(std::numbers::pi_v<float>);
+  const Floats whole = metamer::broadcast(std::numbers::pi_v<float>);
   Angles angles = shared::angles_of(hits.normal, hits.tangent, direction,
                                     packet.direction * metamer::broadcast(-1), whole,
                                     needed_.azimuth, needed_.tangent);
-  const Float8 cosine = max(angles.n_dot_l, metamer::broadcast(1e-6f));
-  Float8 diffuse = evaluate_each(hits, packet.active, angles, workspace).diffuse;
+  const Floats cosine = max(angles.n_dot_l, metamer::broadcast(1e-6f));
+  Floats diffuse = evaluate_each(hits, packet.active, angles, workspace).diffuse;
   if (has_ambient_) {  // light from all around is what is looked for
-    angles.n_dot_l = Float8{};
+    angles.n_dot_l = Floats{};
     diffuse -= evaluate_each(hits, packet.active, angles, workspace).diffuse;
   }
   return diffuse / cosine;

@@ -35,7 +35,7 @@ float to_unit(std::uint32_t digits) { return static_cast<float>(digits >> 8) * 0
 
 }  // namespace
 
-void Pattern::put(Point8& point, unsigned lane) const {
+void Pattern::put(Points& point, unsigned lane) const {
   // The first dimension is the index, mirrored: as it stands its first digit is lowest.
   point.u[lane] = to_unit(mirrored(scrambled(index, hashed(seed, 1))));
   point.v[lane] = to_unit(mirrored(scrambled(second(index), hashed(seed, 2))));

@@ -21,15 +21,15 @@ inline std::uint32_t hashed(std::uint32_t a, std::uint32_t b) {
 }
 
 /// In [0, 1) each.
-struct Point8 {
-  Float8 u{}, v{};
+struct Points {
+  Floats u{}, v{};
 };
 
 /// The point number `index` of a lane's scrambled sequence, which `seed` chooses.
 struct Pattern {
   std::uint32_t index, seed;
   /// Sets one lane.
-  void put(Point8& point, unsigned lane) const;
+  void put(Points& point, unsigned lane) const;
   /// The same points in an order of the seed's own, each 2^k from a multiple of 2^k on together
   /// (Burley, 3.1): without it they would go with those of another pattern of the same numbers.
   Pattern shuffled() const;

@@ -11,9 +11,9 @@ namespace metamer::cpu::soft {
 /// Light from some point of a light: what shaders/lights/incident.glsl has of a place. The weight
 /// is that of the light's luminance, of a perfect white that faces it: L Ω / π of a point that
 /// stands for the solid angle Ω.
-struct Sample8 {
-  Vec8 direction;
-  Float8 reach, weight;
+struct Samples {
+  Vectors direction;
+  Floats reach, weight;
 };
 
 /// Of the way to a light: a surface in which it lies does not hide it (incident.glsl).
@@ -27,7 +27,7 @@ class PointwiseLight {
   /// What lights a place.
   struct Found {
     Eigen::Vector3d direction;  ///< Unit.
-    double distance, weight;    ///< As Sample8's; a weight of 0: nothing.
+    double distance, weight;    ///< As Samples has them; a weight of 0: nothing.
   };
   /// By the point u, v of a pattern. `own`: the primitive that the place lies in; -1: none.
   virtual Found find(const Eigen::Vector3d& at, double u, double v, int own) const = 0;

@@ -13,11 +13,11 @@ std::uint32_t Shading::light_samples(const Packet& packet) const {
   return packet.diffused ? 1 : soft_.samples();
 }
 
-void Shading::shade_soft(const Packet& packet, const Hits& hits, const Places& places, Int8 ambient,
+void Shading::shade_soft(const Packet& packet, const Hits& hits, const Places& places, Ints ambient,
                          Workspace& workspace) const {
   // The models are evaluated at the hit, whatever the object's shading is.
   Hits here = hits;
-  here.interpolated = Int8{};
+  here.interpolated = Ints{};
   const std::uint32_t samples = light_samples(packet);
   const float share = 1 / static_cast<float>(samples);
   for (const soft::SoftLights::Surface& surface : soft_.surfaces()) {
@@ -25,19 +25,19 @@ void Shading::shade_soft(const Packet& packet, const Hits& hits, const Places& p
     if (!any(view.lanes)) continue;
     const Step step{packet, here, places, surface.light, workspace};
     for (std::uint32_t j = 0; j < samples; ++j) {
-      soft::Point8 point;
+      soft::Points point;
       for (unsigned i = 0; i < lane_count; ++i)
         if (view.lanes[i]) soft::pattern_of(packet, i, samples, j, surface.light).put(point, i);
-      const soft::Sample8 sample = surface.sample(view, point, packet.point);
-      const Int8 sound = view.lanes & (sample.weight > 0.0f) &
+      const soft::Samples sample = surface.sample(view, point, packet.point);
+      const Ints sound = view.lanes & (sample.weight > 0.0f) &
                          (sample.weight <= std::numeric_limits<float>::max());
-      const Int8 facing =
+      const Ints facing =
           sound & (dot(hits.normal, sample.direction) > 0.0f) & reached(hits, sample.direction);
-      const Float8 weight = sample.weight * share;
+      const Floats weight = sample.weight * share;
       if (media_ != nullptr)
         shade_through(step, facing, ambient, sample.direction, sample.reach, weight);
-      const Int8 lit = lit_by(step, sample.direction, sample.reach, facing);
-      const Int8 wanted = lit | (ambient & sound);
+      const Ints lit = lit_by(step, sample.direction, sample.reach, facing);
+      const Ints wanted = lit | (ambient & sound);
       if (any(wanted)) reflect(step, lit, wanted, sample.direction, weight);
     }
   }
@@ -45,30 +45,30 @@ void Shading::shade_soft(const Packet& packet, const Hits& hits, const Places& p
 }
 
 void Shading::shade_by_sky(const Packet& packet, const Hits& hits, const Places& places,
-                           Int8 ambient, Workspace& workspace) const {
+                           Ints ambient, Workspace& workspace) const {
   const soft::Sky& sky = *soft_.sky();
   const std::uint32_t samples = light_samples(packet);
   const float share = 1 / static_cast<float>(samples);
-  const Float8 far = metamer::broadcast(std::numeric_limits<float>::max());
+  const Floats far = metamer::broadcast(std::numeric_limits<float>::max());
   const auto step_of = [&](std::uint32_t part) {
     return Step{packet, hits, places, sky.first_light() + part, workspace};
   };
   for (std::uint32_t j = 0; j < samples; ++j) {
-    soft::Sky::Sample8 sample;
+    soft::Sky::Samples sample;
     for (unsigned i = 0; i < lane_count; ++i) {
       if (!packet.active[i]) continue;
       const auto [index, seed] = soft::pattern_of(packet, i, samples, j, sky.first_light());
       sky.put_sample(lane_of(hits.normal, i), index, seed, sample, i);
     }
-    const Int8 sound = packet.active & (sample.weight > 0.0f);
-    const Int8 facing =
+    const Ints sound = packet.active & (sample.weight > 0.0f);
+    const Ints facing =
         sound & (dot(hits.normal, sample.direction) > 0.0f) & reached(hits, sample.direction);
-    const Float8 weight = sample.weight * share;
+    const Floats weight = sample.weight * share;
     for (std::uint32_t part = 0; media_ != nullptr && part < sky.light_count(); ++part)
       shade_through(step_of(part), facing, ambient, sample.direction, far,
                     weight * sky.radiance_of(sample, part));
-    const Int8 lit = lit_by(step_of(0), sample.direction, far, facing);
-    const Int8 wanted = lit | (ambient & sound);
+    const Ints lit = lit_by(step_of(0), sample.direction, far, facing);
+    const Ints wanted = lit | (ambient & sound);
     if (!any(wanted)) continue;
 
     // One direction, one ray, one evaluation: each light of the picture has a weight of its own.
@@ -82,9 +82,9 @@ void Shading::shade_by_sky(const Packet& packet, const Hits& hits, const Places&
 }
 
 /// The lanes that see what is there; of a scene with clear objects none: shade_through() has them.
-Int8 Shading::lit_by(const Step& step, const Vec8& direction, Float8 reach, Int8 facing) const {
-  if (media_ != nullptr || !any(facing)) return Int8{};
-  step.workspace.rays += static_cast<unsigned>(count(facing));
+Ints Shading::lit_by(const Step& step, const Vectors& direction, Floats reach, Ints facing) const {
+  if (media_ != nullptr || !any(facing)) return Ints{};
+  step.workspace.add_rays(RayKind::shadow, facing);
   return geometry_.visible(step.packet.point, direction, reach, facing);
 }
 

@@ -87,10 +87,10 @@ Sky::Found Sky::bright(float u, float v) const {
 }
 
 void Sky::put_sample(const Eigen::Vector3f& white, std::uint32_t index, std::uint32_t seed,
-                     Sample8& sample, unsigned lane) const {
+                     Samples& sample, unsigned lane) const {
   // Take turns; who begins is up to the pixel, so that an odd number favours neither.
   const bool by_picture = ((index ^ hashed(seed, 5)) & 1) != 0;
-  Point8 point;
+  Points point;
   Pattern{index >> 1, hashed(seed, by_picture ? 3 : 4)}.put(point, lane);
   const float u = point.u[lane], v = point.v[lane];
 

@@ -24,14 +24,14 @@ class Sky {
   std::uint32_t light_count() const { return light_count_; }
   bool visible() const { return visible_; }
 
-  struct Sample8 {
-    Vec8 direction{};
-    Float8 weight{};  ///< 1 / (π p) of the density p over solid angle.
+  struct Samples {
+    Vectors direction{};
+    Floats weight{};  ///< 1 / (π p) of the density p over solid angle.
     std::array<const float*, lane_count> values{};
   };
   /// Of one light; lanes that were not set have none.
-  Float8 radiance_of(const Sample8& sample, std::uint32_t part) const {
-    Float8 radiances{};
+  Floats radiance_of(const Samples& sample, std::uint32_t part) const {
+    Floats radiances{};
     for (unsigned i = 0; i < lane_count; ++i)
       if (sample.values[i] != nullptr) radiances[i] = radiance(sample.values[i][part]);
     return radiances;
@@ -39,7 +39,7 @@ class Sky {
   /// Sample number `index` of what a white with this normal sees; `seed` is the lane's. Sets one
   /// lane.
   void put_sample(const Eigen::Vector3f& white, std::uint32_t index, std::uint32_t seed,
-                  Sample8& sample, unsigned lane) const;
+                  Samples& sample, unsigned lane) const;
 
  private:
   struct Place {

@@ -38,12 +38,12 @@ SoftLights::SoftLights(const RenderScene& scene, const EmbreeScene& geometry, st
   if (scene.environment) sky_.emplace(scene);
 }
 
-Sample8 SoftLights::Surface::sample(const SurfaceLight::View& view, const Point8& point,
-                                    const Vec8& lifted) const {
-  Sample8 sample = shape.sample(view, point);
+Samples SoftLights::Surface::sample(const SurfaceLight::View& view, const Points& point,
+                                    const Vectors& lifted) const {
+  Samples sample = shape.sample(view, point);
   if (object < 0) return sample;
-  const Vec8 way = view.at + sample.direction * (sample.reach / reached) - lifted;
-  const Float8 distance = sqrt(dot(way, way));
+  const Vectors way = view.at + sample.direction * (sample.reach / reached) - lifted;
+  const Floats distance = sqrt(dot(way, way));
   sample.direction = way / max(distance, broadcast(1e-30F));
   sample.reach = distance * reached;
   return sample;
@@ -53,15 +53,15 @@ SoftLights::Seen SoftLights::find(const Packet& packet, Hits& hits) const {
   // A surface that shines and lies in what was hit is before it.
   constexpr float infinity = std::numeric_limits<float>::infinity();
   constexpr float before = 1 + 1e-5F;
-  Seen seen{.surface = Int8{} - 1,
+  Seen seen{.surface = Ints{} - 1,
             .distance = select(hits.hit, hits.distance * before, metamer::broadcast(infinity)),
             .sky = {}};
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
     if (surfaces_[i].object >= 0 || (packet.from_eye && !surfaces_[i].visible)) continue;
-    const Float8 distance = surfaces_[i].shape.meet(packet.origin, packet.direction);
-    const Int8 nearer = packet.active & (distance < seen.distance);
+    const Floats distance = surfaces_[i].shape.meet(packet.origin, packet.direction);
+    const Ints nearer = packet.active & (distance < seen.distance);
     seen.distance = select(nearer, distance, seen.distance);
-    seen.surface = nearer ? Int8{} + static_cast<int>(i) : seen.surface;
+    seen.surface = nearer ? Ints{} + static_cast<int>(i) : seen.surface;
   }
   hits.hit &= seen.surface < 0;
   if (sky_ && (sky_->visible() || !packet.from_eye))
@@ -82,7 +82,7 @@ void SoftLights::add(const Packet& packet, const Seen& seen, Workspace& workspac
   }
 }
 
-void SoftLights::add_objects(const Packet& packet, const Hits& hits, Int8 lanes,
+void SoftLights::add_objects(const Packet& packet, const Hits& hits, Ints lanes,
                              Workspace& workspace) const {
   if (of_object_.empty() || packet.diffused) return;
   for (unsigned i = 0; i < lane_count; ++i) {
@@ -96,37 +96,39 @@ void SoftLights::add_objects(const Packet& packet, const Hits& hits, Int8 lanes,
   }
 }
 
-std::vector<double> SoftLights::on_surface(const EmbreeScene& geometry, const Vec8& hit,
-                                           const Vec8& lifted, const Vec8& normal,
+std::vector<double> SoftLights::on_surface(const EmbreeScene& geometry, const Vectors& hit,
+                                           const Vectors& lifted, const Vectors& normal,
                                            std::size_t lights) const {
   constexpr std::uint32_t points = 1024;
-  const Int8 all = Int8{} - 1;
+  const Ints all = Ints{} - 1;
   std::vector<double> sums(lights);
-  const auto by_cosine = [&](const Vec8& direction, Float8 reach, Float8 weight) {
-    const Float8 cosine = dot(normal, direction);
-    const Int8 lit =
+  const auto by_cosine = [&](const Vectors& direction, Floats reach, Floats weight) {
+    const Floats cosine = dot(normal, direction);
+    const Ints lit =
         geometry.visible(lifted, direction, reach, all & (weight > 0.0f) & (cosine > 0.0f));
-    return select(lit, weight * cosine, Float8{});
+    return select(lit, weight * cosine, Floats{});
   };
   for (const Surface& surface : surfaces_) {
     const SurfaceLight::View view = surface.shape.view(hit, all);
     for (std::uint32_t j = 0; j < points; j += lane_count) {
-      Point8 point;
+      Points point;
       for (unsigned i = 0; i < lane_count; ++i) Pattern{j + i, 0}.put(point, i);
       const auto sample = surface.sample(view, point, lifted);
-      sums[surface.light] +=
-          double{sum(by_cosine(sample.direction, sample.reach, sample.weight))} / points;
+      const Floats lit = by_cosine(sample.direction, sample.reach, sample.weight);
+      for (unsigned group = 0; group < group_count; ++group)
+        sums[surface.light] += double{sum(lit, group)} / points;
     }
   }
   for (std::uint32_t j = 0; sky_ && j < points; j += lane_count) {
-    Sky::Sample8 sample;
+    Sky::Samples sample;
     for (unsigned i = 0; i < lane_count; ++i)
       sky_->put_sample(lane_of(normal, i), j + i, 0, sample, i);
-    const Float8 lit = by_cosine(
+    const Floats lit = by_cosine(
         sample.direction, metamer::broadcast(std::numeric_limits<float>::max()), sample.weight);
     for (std::uint32_t part = 0; part < sky_->light_count(); ++part)
-      sums[sky_->first_light() + part] +=
-          double{sum(lit * sky_->radiance_of(sample, part))} / points;
+      for (unsigned group = 0; group < group_count; ++group)
+        sums[sky_->first_light() + part] +=
+            double{sum(lit * sky_->radiance_of(sample, part), group)} / points;
   }
   return sums;
 }

@@ -26,13 +26,14 @@ class SoftLights {
     SurfaceLight shape;
     int object = -1;        ///< Of an object that shines; -1: it hides nothing, and is none.
     bool mirrored = false;  ///< That object shines to what Embree has as its back.
-    SurfaceLight::View view(const Vec8& at, Int8 active, const Hits& hits) const {
+    SurfaceLight::View view(const Vectors& at, Ints active, const Hits& hits) const {
       if (object < 0) return shape.view(at, active);
       return shape.view(at, active, hits.object == object, hits.primitive);
     }
     /// For rays from `lifted`, a little off the view's points: an object's own surface is met where
     /// the sample lies, however obliquely.
-    Sample8 sample(const SurfaceLight::View& view, const Point8& point, const Vec8& lifted) const;
+    Samples sample(const SurfaceLight::View& view, const Points& point,
+                   const Vectors& lifted) const;
   };
   const std::vector<Surface>& surfaces() const { return surfaces_; }
   const std::optional<Sky>& sky() const { return sky_; }
@@ -40,9 +41,9 @@ class SoftLights {
 
   /// What rays meet that shines.
   struct Seen {
-    Int8 surface;     ///< Index into surfaces(); below 0: none.
-    Float8 distance;  ///< Along the ray, of a surface.
-    Int8 sky;         ///< Mask: the environment.
+    Ints surface;     ///< Index into surfaces(); below 0: none.
+    Floats distance;  ///< Along the ray, of a surface.
+    Ints sky;         ///< Mask: the environment.
   };
   /// A surface before what was hit ends the way, and takes it out of `hits`.
   Seen find(const Packet& packet, Hits& hits) const;
@@ -50,12 +51,13 @@ class SoftLights {
   void add(const Packet& packet, const Seen& seen, Workspace& workspace) const;
   /// Gives the light of objects that these lanes have hit in front. A surface that scatters has
   /// looked at it already.
-  void add_objects(const Packet& packet, const Hits& hits, Int8 lanes, Workspace& workspace) const;
+  void add_objects(const Packet& packet, const Hits& hits, Ints lanes, Workspace& workspace) const;
 
   /// What each light sends to a surface that the first lane has met, by its cosine; 0 for those
   /// that are a place or direction.
-  std::vector<double> on_surface(const EmbreeScene& geometry, const Vec8& hit, const Vec8& lifted,
-                                 const Vec8& normal, std::size_t lights) const;
+  std::vector<double> on_surface(const EmbreeScene& geometry, const Vectors& hit,
+                                 const Vectors& lifted, const Vectors& normal,
+                                 std::size_t lights) const;
 
  private:
   std::vector<Surface> surfaces_;

@@ -68,20 +68,21 @@ SurfaceLight::SurfaceLight(const RenderLight& light) {
 SurfaceLight::SurfaceLight(std::shared_ptr<const PointwiseLight> pointwise)
     : shape_(Shape::pointwise), pointwise_(std::move(pointwise)) {}
 
-SurfaceLight::View SurfaceLight::view(const Vec8& at, Int8 active) const {
+SurfaceLight::View SurfaceLight::view(const Vectors& at, Ints active) const {
   View view{};
   view.at = at;
   view.lanes = active;
   if (shape_ == Shape::sphere)
     view_sphere(view);
   else if (shape_ == Shape::pointwise)
-    view.own = Int8{} - 1;
+    view.own = Ints{} - 1;
   else
     view_quad(view);
   return view;
 }
 
-SurfaceLight::View SurfaceLight::view(const Vec8& at, Int8 active, Int8 own, Int8 primitive) const {
+SurfaceLight::View SurfaceLight::view(const Vectors& at, Ints active, Ints own,
+                                      Ints primitive) const {
   if (shape_ != Shape::pointwise) return view(at, active & ~own);
   View of_some = view(at, active);
   of_some.own = own ? primitive : of_some.own;
@@ -89,14 +90,14 @@ SurfaceLight::View SurfaceLight::view(const Vec8& at, Int8 active, Int8 own, Int
 }
 
 void SurfaceLight::view_sphere(View& view) const {
-  const Vec8 way = to_lanes(middle_) - view.at;
-  const Float8 squared = dot(way, way);
+  const Vectors way = to_lanes(middle_) - view.at;
+  const Floats squared = dot(way, way);
   view.distance = sqrt(squared);
-  const Float8 sine_squared = broadcast(static_cast<float>(radius_ * radius_)) / squared;
+  const Floats sine_squared = broadcast(static_cast<float>(radius_ * radius_)) / squared;
   view.lanes &= sine_squared < 1.0f;
   view.axis = way / view.distance;
   // 1 − cos without losing a small one's digits.
-  view.cone = sine_squared / (1.0f + sqrt(max(1.0f - sine_squared, Float8{})));
+  view.cone = sine_squared / (1.0f + sqrt(max(1.0f - sine_squared, Floats{})));
 }
 
 /// Ureña et al. (2013), 4.1, in f64: the sum of angles loses what a small rectangle has.
@@ -131,84 +132,84 @@ void SurfaceLight::view_quad(View& view) const {
 }
 
 /// Their 4.2: even in solid angle, from the view's point.
-Vec8 SurfaceLight::even_point(const View& view, const Point8& point) const {
-  const Float8 turned = point.u * view.angle + view.k;
-  Float8 cosine, sine;
+Vectors SurfaceLight::even_point(const View& view, const Points& point) const {
+  const Floats turned = point.u * view.angle + view.k;
+  Floats cosine, sine;
   for (int i = 0; i < lane_count; ++i) {
     cosine[i] = std::cos(turned[i]);
     sine[i] = std::sin(turned[i]);
   }
-  const Float8 f = (cosine * view.b0 - view.b1) / sine;
-  const Float8 root = 1.0f / sqrt(f * f + view.b0 * view.b0);
-  const Float8 cu = min(max(select(f > 0.0f, root, -root), broadcast(-1)), broadcast(1));
-  Float8 x = -(cu * view.z) / sqrt(max(1.0f - cu * cu, broadcast(1e-12F)));
+  const Floats f = (cosine * view.b0 - view.b1) / sine;
+  const Floats root = 1.0f / sqrt(f * f + view.b0 * view.b0);
+  const Floats cu = min(max(select(f > 0.0f, root, -root), broadcast(-1)), broadcast(1));
+  Floats x = -(cu * view.z) / sqrt(max(1.0f - cu * cu, broadcast(1e-12F)));
   x = min(max(x, view.x0), view.x1);
-  const Float8 squared = x * x + view.z * view.z;
-  const Float8 h0 = view.y0 / sqrt(squared + view.y0 * view.y0);
-  const Float8 h1 = view.y1 / sqrt(squared + view.y1 * view.y1);
-  const Float8 h = h0 + point.v * (h1 - h0), left = 1.0f - h * h;
-  Float8 y = select(left > 1e-6f, h * sqrt(squared) / sqrt(max(left, broadcast(1e-12F))), view.y1);
+  const Floats squared = x * x + view.z * view.z;
+  const Floats h0 = view.y0 / sqrt(squared + view.y0 * view.y0);
+  const Floats h1 = view.y1 / sqrt(squared + view.y1 * view.y1);
+  const Floats h = h0 + point.v * (h1 - h0), left = 1.0f - h * h;
+  Floats y = select(left > 1e-6f, h * sqrt(squared) / sqrt(max(left, broadcast(1e-12F))), view.y1);
   y = min(max(y, view.y0), view.y1);
   return to_lanes(x_) * x + to_lanes(y_) * y + to_lanes(normal_) * view.z;
 }
 
 /// Even in area, from the middle.
-Vec8 SurfaceLight::point_of(const Point8& point) const {
+Vectors SurfaceLight::point_of(const Points& point) const {
   if (shape_ == Shape::quad)
     return to_lanes(u_) * (point.u - 0.5f) + to_lanes(v_) * (point.v - 0.5f);
-  Float8 cosine, sine;
+  Floats cosine, sine;
   turn(point.v, cosine, sine);
-  const Float8 radius = sqrt(point.u) * 0.5f;
+  const Floats radius = sqrt(point.u) * 0.5f;
   return to_lanes(u_) * (radius * cosine) + to_lanes(v_) * (radius * sine);
 }
 
 /// Whether a place of its plane, from its middle, lies on it.
-Int8 SurfaceLight::covers(const Vec8& offset) const {
-  const Float8 a = dot(to_lanes(along_u_), offset), b = dot(to_lanes(along_v_), offset);
+Ints SurfaceLight::covers(const Vectors& offset) const {
+  const Floats a = dot(to_lanes(along_u_), offset), b = dot(to_lanes(along_v_), offset);
   if (shape_ == Shape::disk) return a * a + b * b <= 0.25f;
   return (abs(a) <= 0.5f) & (abs(b) <= 0.5f);
 }
 
-Sample8 SurfaceLight::sample(const View& view, const Point8& point) const {
+Samples SurfaceLight::sample(const View& view, const Points& point) const {
   if (shape_ == Shape::sphere) return sample_sphere(view, point);
   if (shape_ == Shape::pointwise) return sample_pointwise(view, point);
-  const Vec8 to_middle = to_lanes(middle_) - view.at;
-  Vec8 way = to_middle + point_of(point);
-  Int8 covered = Int8{} - 1;
-  const Int8 near = view.near & view.lanes;
+  const Vectors to_middle = to_lanes(middle_) - view.at;
+  Vectors way = to_middle + point_of(point);
+  Ints covered = Ints{} - 1;
+  const Ints near = view.near & view.lanes;
   if (any(near)) {
-    const Vec8 even = even_point(view, point);
+    const Vectors even = even_point(view, point);
     way = select(near, even, way);
     covered = ~near | covers(even - to_middle);
   }
-  const Float8 squared = dot(way, way), distance = sqrt(squared);
-  const Vec8 direction = way / distance;
-  const Float8 cosine = max(-dot(to_lanes(normal_), direction), Float8{});
-  const Float8 by_area = broadcast(static_cast<float>(area_)) * cosine / squared;
-  const Float8 weight = select(near, view.angle, by_area) * (radiance_ / static_cast<float>(pi));
-  return {direction, distance * reached, select(view.lanes & covered, weight, Float8{})};
+  const Floats squared = dot(way, way), distance = sqrt(squared);
+  const Vectors direction = way / distance;
+  const Floats cosine = max(-dot(to_lanes(normal_), direction), Floats{});
+  const Floats by_area = broadcast(static_cast<float>(area_)) * cosine / squared;
+  const Floats weight = select(near, view.angle, by_area) * (radiance_ / static_cast<float>(pi));
+  return {direction, distance * reached, select(view.lanes & covered, weight, Floats{})};
 }
 
 /// Even in the cone that it fills: P. Shirley, C. Wang and K. Zimmerman, "Monte Carlo Techniques
 /// for Direct Lighting Calculations", ACM TOG 15(1), 1996, 3.2.4.
-Sample8 SurfaceLight::sample_sphere(const View& view, const Point8& point) const {
-  const Float8 versine = point.u * view.cone, sine_squared = versine * (2.0f - versine);
-  const Float8 across = sqrt(sine_squared), along = 1.0f - versine;
-  Float8 cosine, sine;
+Samples SurfaceLight::sample_sphere(const View& view, const Points& point) const {
+  const Floats versine = point.u * view.cone, sine_squared = versine * (2.0f - versine);
+  const Floats across = sqrt(sine_squared), along = 1.0f - versine;
+  Floats cosine, sine;
   turn(point.v, cosine, sine);
-  Vec8 s, t;
+  Vectors s, t;
   basis(view.axis, s, t);
-  const Vec8 direction = s * (across * cosine) + t * (across * sine) + view.axis * along;
+  const Vectors direction = s * (across * cosine) + t * (across * sine) + view.axis * along;
   // To its front: d cos α − √(r² − d² sin² α).
-  const Float8 left =
+  const Floats left =
       static_cast<float>(radius_ * radius_) - view.distance * view.distance * sine_squared;
-  const Float8 reach = view.distance * along - sqrt(max(left, Float8{}));
-  const Float8 weight = 2.0f * radiance_ * view.cone;  // Ω = 2π (1 − cos)
-  return {direction, reach * reached, select(view.lanes, weight, Float8{})};
+  const Floats reach = view.distance * along - sqrt(max(left, Floats{}));
+  const Floats weight = 2.0f * radiance_ * view.cone;  // Ω = 2π (1 − cos)
+  return {direction, reach * reached, select(view.lanes, weight, Floats{})};
 }
 
-Sample8 SurfaceLight::sample_pointwise(const View& view, const Point8& point) const {
-  Sample8 sample{};
+Samples SurfaceLight::sample_pointwise(const View& view, const Points& point) const {
+  Samples sample{};
   for (int i = 0; i < lane_count; ++i) {
     if (!view.lanes[i]) continue;
     const PointwiseLight::Found found =
@@ -224,19 +225,19 @@ Sample8 SurfaceLight::sample_pointwise(const View& view, const Point8& point) co
   return sample;
 }
 
-Float8 SurfaceLight::meet(const Vec8& origin, const Vec8& direction) const {
-  const Vec8 way = to_lanes(middle_) - origin;
+Floats SurfaceLight::meet(const Vectors& origin, const Vectors& direction) const {
+  const Vectors way = to_lanes(middle_) - origin;
   if (shape_ == Shape::sphere) {
-    const Float8 along = dot(way, direction);
-    const Vec8 off = way - direction * along;
-    const Float8 left = static_cast<float>(radius_ * radius_) - dot(off, off);
-    const Float8 distance = along - sqrt(max(left, Float8{}));
+    const Floats along = dot(way, direction);
+    const Vectors off = way - direction * along;
+    const Floats left = static_cast<float>(radius_ * radius_) - dot(off, off);
+    const Floats distance = along - sqrt(max(left, Floats{}));
     return select((left >= 0.0f) & (distance > 0.0f), distance, broadcast(infinity));
   }
-  const Vec8 normal = to_lanes(normal_);
-  const Float8 towards = dot(normal, direction);
-  const Float8 distance = dot(normal, way) / towards;
-  const Int8 met = (towards < 0.0f) & (distance > 0.0f) & covers(direction * distance - way);
+  const Vectors normal = to_lanes(normal_);
+  const Floats towards = dot(normal, direction);
+  const Floats distance = dot(normal, way) / towards;
+  const Ints met = (towards < 0.0f) & (distance > 0.0f) & covers(direction * distance - way);
   return select(met, distance, broadcast(infinity));
 }
 

@@ -17,24 +17,24 @@ class SurfaceLight {
   explicit SurfaceLight(const RenderLight& light);
   explicit SurfaceLight(std::shared_ptr<const PointwiseLight> pointwise);
 
-  /// How it is seen from eight points, for all samples there.
+  /// How it is seen from several points, for all samples there.
   struct View {
-    Vec8 at;
-    Int8 lanes;             ///< Those to which it shines.
-    Int8 near;              ///< Those whose samples are even in solid angle, by Ureña et al.
-    Vec8 axis;              ///< A sphere's: to its middle, unit.
-    Float8 distance, cone;  ///< A sphere's: to its middle; 1 − cosine of its half-angle.
-    Float8 x0, x1, y0, y1, z, b0, b1, k, angle;  ///< A quad's, as their paper names them.
-    Int8 own;  ///< Of a pointwise light: the primitive that the point lies in, or -1.
+    Vectors at;
+    Ints lanes;             ///< Those to which it shines.
+    Ints near;              ///< Those whose samples are even in solid angle, by Ureña et al.
+    Vectors axis;           ///< A sphere's: to its middle, unit.
+    Floats distance, cone;  ///< A sphere's: to its middle; 1 − cosine of its half-angle.
+    Floats x0, x1, y0, y1, z, b0, b1, k, angle;  ///< A quad's, as their paper names them.
+    Ints own;  ///< Of a pointwise light: the primitive that the point lies in, or -1.
   };
-  View view(const Vec8& at, Int8 active) const;
+  View view(const Vectors& at, Ints active) const;
   /// The same of points of which `own` lie in these primitives of the light's own surface.
-  View view(const Vec8& at, Int8 active, Int8 own, Int8 primitive) const;
+  View view(const Vectors& at, Ints active, Ints own, Ints primitive) const;
   /// Lanes outside view.lanes have no weight.
-  Sample8 sample(const View& view, const Point8& point) const;
+  Samples sample(const View& view, const Points& point) const;
 
   /// Where rays meet its front, beyond 0; infinity: nowhere.
-  Float8 meet(const Vec8& origin, const Vec8& direction) const;
+  Floats meet(const Vectors& origin, const Vectors& direction) const;
 
   float radiance() const { return radiance_; }  ///< L by the light's luminance.
 
@@ -43,12 +43,12 @@ class SurfaceLight {
 
   void view_sphere(View& view) const;
   void view_quad(View& view) const;
-  Sample8 sample_sphere(const View& view, const Point8& point) const;
-  Sample8 sample_pointwise(const View& view, const Point8& point) const;
+  Samples sample_sphere(const View& view, const Points& point) const;
+  Samples sample_pointwise(const View& view, const Points& point) const;
   /// A point of the rectangle around it: what lies outside has no weight.
-  Vec8 even_point(const View& view, const Point8& point) const;
-  Vec8 point_of(const Point8& point) const;
-  Int8 covers(const Vec8& offset) const;
+  Vectors even_point(const View& view, const Points& point) const;
+  Vectors point_of(const Points& point) const;
+  Ints covers(const Vectors& offset) const;
 
   Shape shape_;
   Eigen::Vector3d middle_, normal_;  ///< Of a sphere no normal.

@@ -263,6 +263,8 @@ v1::WorkerInfo Supervisor::info() const {
                  : state_ == State::idle ? "idle"
                                          : "busy");
   info.set_backend(options_.lane.name);
+  info.set_isa(machine_.isa());
+  info.set_lanes(machine_.lanes());
   info.set_starts(starts_);
   info.set_last_exit(last_exit_);
   info.set_sandbox(sandbox_.empty() ? sandbox_ : sandbox_ + "; memory: " + memory_text());

@@ -52,7 +52,7 @@ class Descriptor {
 };
 
 /// What a worker gets of our own environment: what finds and steers GL drivers and the sanitizers
-/// of a build, and Metamer's own tests.
+/// of a build, what the tracer is to use, and Metamer's own tests.
 std::vector<char*> worker_environment() {
   constexpr std::string_view kept[] = {"LD_LIBRARY_PATH=",
                                        "LIBGL_",
@@ -67,6 +67,7 @@ std::vector<char*> worker_environment() {
                                        "NVIDIA_",
                                        "CUDA_VISIBLE_",
                                        "VK_",
+                                       "METAMER_ISA=",
                                        "METAMER_TEST_",
                                        "ASAN_OPTIONS=",
                                        "LSAN_OPTIONS=",

@@ -28,7 +28,7 @@ struct WorkerCommand {
   int niceness = 0;                ///< As nice(2) has it.
   std::string gl_device = "auto";  ///< Of a GL worker: auto, reference or a number.
   std::filesystem::path group;     ///< The control group that it enters; empty: its parent's.
-  std::string isa = "native";      ///< "avx2": no more than that, whatever the processor has.
+  std::string isa = "native";      ///< Or "avx2", "avx512": as the worker's --isa.
   bool unconfined = false;         ///< It may run where the kernel can't confine it.
 };
 

@@ -174,10 +174,11 @@ const std::vector<Option>& all_options() {
        .check = check_gl_device},
       {.name = "isa",
        .section = "workers",
-       .meaning = "what the ray tracer uses of the processor: all that it has, or AVX2 alone, for "
-                  "pictures with the same bits as on other processors and in clusters",
+       .meaning = "what the ray tracer uses of the processor: all that it has; AVX2 alone, in "
+                  "packets of 8 rays; or AVX-512, in packets of 16, which a processor without it "
+                  "refuses",
        .at = [](Settings& all) -> OptionTarget { return &all.service.worker.command.isa; },
-       .words = {"native", "avx2"}},
+       .words = {"native", "avx2", "avx512"}},
       {.name = "unconfined",
        .section = "workers",
        .meaning = "start workers, too, where the kernel can't confine them (Landlock, seccomp)",

@@ -46,8 +46,8 @@ TEST(Angles, OfNearlyTheSameVectorsHaveAllTheirDigits) {
   // 2⁻¹² from the mirror direction, in vectors whose lengths miss 1 by a rounding: cosines of 1 −
   // 3e-8 and less, which f32 can't tell from 1.
   const float small = 0x1p-12f, less = 1 - 0x1p-24f, more = 1 + 0x1p-23f;
-  const Vec8 normal = broadcast({0, 0, less}), light = broadcast({0, 0, more});
-  const Vec8 viewer = broadcast({small, 0, less}), tangent = broadcast({1, 0, 0});
+  const Vectors normal = broadcast({0, 0, less}), light = broadcast({0, 0, more});
+  const Vectors viewer = broadcast({small, 0, less}), tangent = broadcast({1, 0, 0});
   const auto angles = shared::angles_of(normal, tangent, light, viewer, broadcast(1), false, false);
   const double angle = std::atan(double(small) / double(less));
   const auto versine = [](double of) { return 2 * std::sin(of / 2) * std::sin(of / 2); };
@@ -70,9 +70,9 @@ TEST(Angles, WhereLightAndViewerAreOppositeThereIsNoBisector) {
 
 TEST(Angles, ATangentAlongTheNormalGivesWayToTheOtherAxis) {
   // All over a face that the tangent pierces, only rounding would be left of it.
-  const Vec8 normal = broadcast({0.6f, 0.8f, 0}), across = broadcast({0, 0, 1});
+  const Vectors normal = broadcast({0.6f, 0.8f, 0}), across = broadcast({0, 0, 1});
   for (const float tilt : {0.0f, 1e-7f, -1e-7f, 0.01f}) {
-    const Vec8 tangent = broadcast({-1.2f + tilt, -1.6f, tilt});
+    const Vectors tangent = broadcast({-1.2f + tilt, -1.6f, tilt});
     EXPECT_EQ(shared::steady_tangent(normal, tangent, across).z[0], 1) << tilt;
   }
   EXPECT_EQ(shared::steady_tangent(normal, broadcast({-0.6f, -0.8f, 0.2f}), across).z[0], 0.2f);

@@ -28,16 +28,16 @@ TEST(EmbreeScene, RaysThatAreNotFiniteNeverReachEmbree) {
   const RenderScene scene = unit_ball();
   const auto geometry = EmbreeScene::build(scene, never);
   const float nan = std::numeric_limits<float>::quiet_NaN(), inf = INFINITY, far = 1e30f;
-  Vec8 origin = broadcast({0, 0, 5}), direction = broadcast({0, 0, -1});
+  Vectors origin = broadcast({0, 0, 5}), direction = broadcast({0, 0, -1});
   origin.x[0] = nan, origin.y[1] = inf, origin.z[2] = far;
   direction.x[3] = nan, direction.y[4] = -inf, direction.z[5] = nan;
-  const Hits hits = geometry->intersect(origin, direction, Int8{} - 1);
+  const Hits hits = geometry->intersect(origin, direction, Ints{} - 1);
   for (int i = 0; i < 6; ++i) EXPECT_EQ(hits.hit[i], 0) << i;
   EXPECT_EQ(hits.hit[6], -1);
 
-  Float8 length = broadcast(10);
+  Floats length = broadcast(10);
   length[6] = nan;
-  const Int8 visible = geometry->visible(origin, direction * broadcast(-1), length, Int8{} - 1);
+  const Ints visible = geometry->visible(origin, direction * broadcast(-1), length, Ints{} - 1);
   for (int i = 0; i < 7; ++i) EXPECT_EQ(visible[i], 0) << i;
   EXPECT_EQ(visible[7], -1);
 }
@@ -45,9 +45,9 @@ TEST(EmbreeScene, RaysThatAreNotFiniteNeverReachEmbree) {
 TEST(EmbreeScene, ASphereIsHitWhereTheQuadraticSays) {
   const RenderScene scene = unit_ball();
   const auto geometry = EmbreeScene::build(scene, never);
-  Vec8 origin = broadcast({0, 0, 5}), direction = broadcast({0, 0, -1});
+  Vectors origin = broadcast({0, 0, 5}), direction = broadcast({0, 0, -1});
   for (int i = 0; i < lane_count; ++i) origin.x[i] = 0.14f * static_cast<float>(i);
-  const Hits hits = geometry->intersect(origin, direction, Int8{} - 1);
+  const Hits hits = geometry->intersect(origin, direction, Ints{} - 1);
   for (int i = 0; i < lane_count; ++i) {
     const double x = origin.x[i], z = std::sqrt(1 - x * x);
     EXPECT_EQ(hits.hit[i], -1);
@@ -74,10 +74,10 @@ TEST(EmbreeScene, AnInstanceIsWhereItsTransformPutsIt) {
   RenderScene alone = pair;
   alone.objects.pop_back();
 
-  Vec8 origin = broadcast({0.3f, 0.2f, 9}), direction = broadcast({0, 0, -1});
+  Vectors origin = broadcast({0.3f, 0.2f, 9}), direction = broadcast({0, 0, -1});
   for (int i = 0; i < lane_count; ++i) origin.x[i] += 0.05f * static_cast<float>(i);
-  const Hits a = EmbreeScene::build(pair, never)->intersect(origin, direction, Int8{} - 1);
-  const Hits b = EmbreeScene::build(alone, never)->intersect(origin, direction, Int8{} - 1);
+  const Hits a = EmbreeScene::build(pair, never)->intersect(origin, direction, Ints{} - 1);
+  const Hits b = EmbreeScene::build(alone, never)->intersect(origin, direction, Ints{} - 1);
   for (int i = 0; i < lane_count; ++i) {
     ASSERT_EQ(a.hit[i], -1);
     ASSERT_EQ(b.hit[i], -1);
@@ -99,12 +99,12 @@ std::size_t hits_of(const std::string& object) {
   const auto geometry = EmbreeScene::build(scene, never);
   std::size_t count = 0;
   for (int y = -8; y <= 8; ++y) {
-    Vec8 direction = broadcast({0, static_cast<float>(y) / 20, -1});
+    Vectors direction = broadcast({0, static_cast<float>(y) / 20, -1});
     for (int x = 0; x < lane_count; ++x) direction.x[x] = static_cast<float>(x - 4) / 20;
     const Hits hits =
-        geometry->intersect(broadcast({0, 0, 0}), shared::unit(direction), Int8{} - 1);
+        geometry->intersect(broadcast({0, 0, 0}), shared::unit(direction), Ints{} - 1);
     for (int i = 0; i < lane_count; ++i) count += hits.hit[i] && hits.object[i] == 1 ? 1 : 0;
-    geometry->visible(broadcast({0, 0, -1}), shared::unit(direction), broadcast(9), Int8{} - 1);
+    geometry->visible(broadcast({0, 0, -1}), shared::unit(direction), broadcast(9), Ints{} - 1);
   }
   return count;
 }

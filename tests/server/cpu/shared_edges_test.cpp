@@ -112,8 +112,8 @@ std::size_t leaks_of(const EdgeSolid& solid, std::size_t rays) {
   };
   std::size_t leaks = 0;
   for (std::size_t done = 0; done < rays; done += lane_count) {
-    Vec8 origin{}, direction{};
-    Float8 distance{};
+    Vectors origin{}, direction{};
+    Floats distance{};
     for (int lane = 0; lane < lane_count;) {
       const Triangle& t = solid.triangles[random() % solid.triangles.size()];
       const std::size_t side = random() % 3;
@@ -131,7 +131,7 @@ std::size_t leaks_of(const EdgeSolid& solid, std::size_t rays) {
       direction.z[lane] = f32(way.z());
       distance[lane++] = f32((to - from).norm());
     }
-    const Hits hits = geometry->intersect(origin, direction, Int8{} - 1);
+    const Hits hits = geometry->intersect(origin, direction, Ints{} - 1);
     for (int lane = 0; lane < lane_count; ++lane)
       leaks += !hits.hit[lane] || std::abs(hits.distance[lane] - distance[lane]) > 1e-3f;
   }

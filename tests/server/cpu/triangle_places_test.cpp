@@ -29,7 +29,7 @@ TrianglePlaces triangle_places(v1::Shading shading, const Corners& corners,
     at.tangent[i] = broadcast(corners.tangent[i]);
   }
   at.across = broadcast(corners.across);
-  return {shared::place_of(at, broadcast(side), shading, Float8{0, 1, 2, 3, 4, 5}),
+  return {shared::place_of(at, broadcast(side), shading, Floats{0, 1, 2, 3, 4, 5}),
           shared::place_count(shading)};
 }
 

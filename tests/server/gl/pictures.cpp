@@ -36,7 +36,7 @@ struct Sight {
   bool operator==(const Sight&) const = default;
 };
 
-Vec8 broadcast(const Eigen::Vector3d& v) {
+Vectors broadcast(const Eigen::Vector3d& v) {
   return {metamer::broadcast(static_cast<float>(v.x())),
           metamer::broadcast(static_cast<float>(v.y())),
           metamer::broadcast(static_cast<float>(v.z()))};
@@ -44,9 +44,9 @@ Vec8 broadcast(const Eigen::Vector3d& v) {
 
 Sight look(const RenderScene& scene, const cpu::EmbreeScene& geometry,
            const Eigen::Vector3d& direction) {
-  Int8 one{};
+  Ints one{};
   one[0] = -1;
-  const cpu::Hits hits = geometry.intersect(Vec8{}, broadcast(direction), one);
+  const cpu::Hits hits = geometry.intersect(Vectors{}, broadcast(direction), one);
   if (!hits.hit[0]) return {};
   Sight sight{.object = hits.object[0]};
   if (geometry.shading(sight.object) == v1::CONSTANT) sight.facet = hits.primitive[0];

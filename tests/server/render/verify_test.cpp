@@ -79,7 +79,8 @@ class Verified : public testing::Test {
   const std::atomic<bool> never_ = false;
   std::atomic<std::uint64_t> work_ = 0;
   RenderScene scene_;
-  std::unique_ptr<Renderer> renderer_ = cpu::make_backend(2)->make_renderer(scene_, "");
+  std::unique_ptr<Renderer> renderer_ =
+      cpu::make_backend(2, cpu::Isa::avx2)->make_renderer(scene_, "");
   v1::Plan plan_;
   std::unique_ptr<Method> method_;
   std::vector<float> xyz_;

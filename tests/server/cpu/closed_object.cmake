@@ -1,0 +1,30 @@
+# What is compiled for AVX-512 is called on processors that have it, and nowhere else: its object gives the
+# linker one function, and has nothing that runs when a program starts. Nor does it call functions of glibc's
+# for sixteen lanes, whose last bits are others. With NM, OBJDUMP and ENTRY; OBJECT without its end.
+function(output variable)
+  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
+  set(${variable} "${text}" PARENT_SCOPE)
+endfunction()
+
+output(given ${NM} --defined-only --extern-only --format=posix ${OBJECT}.o)
+string(REGEX REPLACE " [^\n]*" "" given "${given}")
+string(STRIP "${given}" given)
+if(NOT given STREQUAL ENTRY)
+  message(FATAL_ERROR "it gives the linker more than its entry:\n${given}")
+endif()
+output(wanted ${NM} --undefined-only ${OBJECT}.o)
+if(wanted MATCHES "_ZGVe[^\n]*")
+  message(FATAL_ERROR "it calls ${CMAKE_MATCH_0}")
+endif()
+output(sections ${OBJDUMP} -h ${OBJECT}.o)
+if(sections MATCHES "\\.(init_array|ctors|init)[^\n]*")
+  message(FATAL_ERROR "it runs at a program's start: ${CMAKE_MATCH_0}")
+endif()
+# What was taken away there was <iostream>'s alone.
+output(startup ${OBJDUMP} -r -j .text.startup ${OBJECT}_all.o)
+string(REGEX MATCHALL "R_X86_64[^\n]*" calls "${startup}")
+foreach(call ${calls})
+  if(NOT call MATCHES " (\\.bss|_ZNSt8ios_base4Init[CD]1Ev|__dso_handle|__cxa_atexit)-0x")
+    message(FATAL_ERROR "something was to run at a program's start: ${call}")
+  endif()
+endforeach()
