@@ -38,13 +38,6 @@ shared::Place places_of(const Corners& corners, const Vectors& side, int shading
 
 }  // namespace
 
-void Shading::scale(Lobes& lobes, Floats factor) {
-  lobes.diffuse *= factor;
-  lobes.specular *= factor;
-  lobes.white *= factor;
-  lobes.fresnel *= factor;
-}
-
 Shading::Shading(const RenderScene& scene, const EmbreeScene& geometry, float footprint,
                  std::uint32_t light_samples, const Media* media)
     : scene_(scene),

@@ -89,7 +89,12 @@ class Shading {
                    Workspace& workspace) const;
   void interpolate(const Step& step, Ints lanes, Lobes& lobes) const;
   void gather(const Step& step, Lobes lobes, Ints lanes) const;
-  static void scale(Lobes& lobes, Floats factor);
+  static void scale(Lobes& lobes, Floats factor) {
+    lobes.diffuse *= factor;
+    lobes.specular *= factor;
+    lobes.white *= factor;
+    lobes.fresnel *= factor;
+  }
   static void gather_fresnel(const Step& step, int lane, float cosine, float weight);
   void gather_factors(const Step& step, const Lobes& lobes) const;
   void gather_rough(const Step& step, const Lobes& lobes) const;
