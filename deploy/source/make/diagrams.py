@@ -18,6 +18,8 @@ from matplotlib.ticker import NullFormatter  # noqa: E402
 
 CURVES = {"2": "CIE1931-2deg-XYZ.cmf", "10": "CIE1964-10deg-XYZ.cmf"}
 SRGB_CORNERS = [(0.64, 0.33), (0.30, 0.60), (0.15, 0.06), (0.64, 0.33)]  # IEC 61966-2-1
+SPRAGUE = np.array([[0, 0, 24, 0, 0, 0], [2, -16, 0, 16, -2, 0], [-1, 16, -30, 16, -1, 0], [-9, 39, -70, 66, -33, 7],
+                    [13, -64, 126, -124, 61, -12], [-5, 25, -50, 50, -25, 5]]) / 24  # powers of t by the six samples around
 MATRICES = [(7, 75), (31, 75), (301, 75), (7, 300), (31, 300), (301, 300)]  # of Fig. 4-3: rows, columns
 
 
@@ -38,9 +40,19 @@ def chapter_2():
     return names
 
 
+def by_nanometres(values):
+    """Sprague's interpolation (CIE 167:2005, equations 1 and 2) of samples by 5 nm at every nm, from the third
+    sample to the third last; never below 0."""
+    t = np.arange(5) / 5
+    six = np.lib.stride_tricks.sliding_window_view(values, 6)
+    pieces = sum(np.outer(six @ row, t ** power) for power, row in enumerate(SPRAGUE))
+    return np.maximum(np.append(pieces.ravel(), values[-3]), 0)
+
+
 def observer(degrees):
+    """By 1 nm, 370 to 820."""
     nm, _, rows = read_cgats(COLORD / "cmf" / CURVES[degrees])
-    return np.array(nm), np.array(rows)
+    return np.arange(nm[2], nm[-3] + 1), np.array([by_nanometres(np.array(row)) for row in rows])
 
 
 def fig_3_3():

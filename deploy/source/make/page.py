@@ -24,7 +24,8 @@ Written by `deploy/report --source`, which renders and measures all of it anew; 
 [REFERENCES.md](../../REFERENCES.md) calls so, a work of 2004. Its tables stand beside ours, with the command that each of our numbers is
 from and what makes the difference. Its figures are drawn again, with a still life of our own ([scene.txtpb](scene.txtpb)): their captions and
 its text are known here, the pictures themselves are not. What commands name in build/source is there once it has run; a figure's command
-makes one of its pictures, the others differ in the option that their words name.
+makes one of its pictures, the others differ in the option that their words name; scenes there with another model
+or other mirrors are by `make/variants.py`. A figure whose command is `deploy/report --source` has none of its own. All run in the repository's root.
 
 The source measured a program in C# and shaders for a graphics card of its year, on a machine and scenes that it does not describe: its seconds and
 ours can't be compared, its ratios can. """

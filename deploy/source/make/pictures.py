@@ -12,7 +12,8 @@ GL_PREFILTER = ("--backend", "gl", "--method", "prefilter", *BRADFORD)
 
 
 def short(value):
-    return f"{value:.2g}" if value < 10 else f"{value:.0f}"
+    """Two digits, zeros as well: 1.0 beside 0.98."""
+    return f"{value:#.2g}" if value < 9.95 else f"{value:.0f}"
 
 
 def light(name):

@@ -50,7 +50,7 @@ def table_4_2_1():
     return table("4.2-1", "Point sampling and trichromatic rendering by ray tracing, direct light alone",
                  ["samples", "the source", "over 3", "Metamer", "over 3"], rows,
                  "metamer render deploy/source/scene.txtpb --size 480x360 --depth 0 --method point --samples 400:700:1 "
-                 "--point-lights samples --json",
+                 "--point-lights samples -o picture.png --json",
                  "The source multiplies whole spectra for each ray, so that its time grows with them. Here no ray carries a "
                  "spectrum: a pixel's weights are gathered first, and wavelengths are gone over once a pixel: the time hardly grows. "
                  "The source's seconds are those of a managed program on a machine of 2004, and its scene is not known: only the ratios can be compared.")
@@ -72,8 +72,9 @@ def table_4_2_2():
                  ["samples", "passes, the source", "frames a second", "time over 3", "passes, Metamer",
                   "frames a CPU second", "time over 3", "in one pass, over 3"], rows,
                  "metamer render deploy/source/scene.txtpb --backend gl --spp 1 --size 80x60 --method point --samples 400:700:1 "
-                 "--point-lights samples --multi-pass --json",
-                 "One round alone. The source counts the passes that add three textures up among its own; here each pass adds what it draws. "
+                 "--point-lights samples --multi-pass -o picture.png --json",
+                 "One round alone. Metamer's passes are counted, not printed: `--multi-pass` draws four wavelengths a pass, so 301 take 76. "
+                 "The source counts the passes that add three textures up among its own; here each pass adds what it draws. "
                  "Both grow with the passes, since the scene is drawn anew for each. A pass here costs more than the source's beside a trichromatic "
                  "frame: it shades all that triangles cover, hidden or not, with shadows, and software does so in blocks of 4×4 "
                  "pixels, which small triangles fill badly. In one pass, Metamer's default, each pixel is shaded once and wavelengths are "
@@ -98,7 +99,7 @@ def table_4_3_1():
         printed.TABLE_4_3_1, ("--method", "prefilter"),
         ["samples", "the source", "over 31", "Metamer", "over 31"],
         "metamer render build/source/booth-301/booth.txtpb --light '*=build/source/booth-301/spectra/lamp.txt' "
-        "--method prefilter --size 32x24 --spp 1 --json",
+        "--method prefilter --size 32x24 --spp 1 -o picture.png --json",
         "The source adds up the samples of its data. Here the products of spectra are integrated between all samples, and data by "
         "more than 1 nm are first read as curves at every nm from 360 to 830: fewer samples save nothing, and do not cost "
         "accuracy. The scene is the booth, which has as many lights and materials.")
@@ -119,7 +120,7 @@ def table_4_4_1():
             for (m, n), value in printed.TABLE_4_4_1.items()]
     return table("4.4-1", "Singular value decomposition by the dimensions of the matrix",
                  ["rows × columns", "the source", "over 100×100", "LAPACK", "over 100×100"], rows,
-                 "numpy.linalg.svd(A, full_matrices=False) of random matrices",
+                 "numpy.linalg.svd(numpy.random.default_rng(1).random((100, 100)), full_matrices=False)",
                  "The source adapted a textbook's routine, which finds full bases by loops over single numbers; LAPACK, by "
                  "numpy, finds the thin ones by blocks that fit a cache, by divide and conquer. Metamer itself takes Eigen's, "
                  "which works alike. The source's time grows faster than the cube of the size, LAPACK's more slowly.")
@@ -131,7 +132,7 @@ def table_4_4_2():
         "two lights, 35 materials", printed.TABLE_4_4_2, ("--method", "linear", "--bases", 4),
         ["dimension", "the source", "over 31×75", "Metamer", "over 31×75"],
         "metamer render build/source/booth-301/booth.txtpb --light '*=build/source/booth-301/spectra/lamp.txt' "
-        "--method linear --bases 4 --size 32x24 --spp 1 --json",
+        "--method linear --bases 4 --size 32x24 --spp 1 -o picture.png --json",
         "The source decomposes a matrix with a row for each sample. Here the matrix has a row for each nm from 360 to 830 "
         "whatever the data are, so that fewer samples save nothing; and a column for each light and each distinct "
         "paint under it, where the source has one for each material.")
@@ -150,7 +151,7 @@ def table_4_4_3():
             for k, light in enumerate(("direct", "with reflections")) for count, seconds in printed.TABLE_4_4_3.items()]
     return table("4.4-3", "The linear representation by its basis functions, and 301 samples",
                  ["basis functions", "light", "the source", "over 301 samples", "Metamer", "over 301 samples"], rows,
-                 "metamer render deploy/source/scene.txtpb --method linear --bases 4 --size 480x360 --depth 3 --json",
+                 "metamer render deploy/source/scene.txtpb --method linear --bases 4 --size 480x360 --depth 3 -o picture.png --json",
                  "The source saves what its rays no longer carry. Here rays carry nothing in either case, so that "
                  "less is there to save: what differs is done once a pixel. What accuracy costs is seen in Figs. E-3 and E-4.")
 
@@ -163,7 +164,7 @@ def table_4_5_1():
     return table("4.5-1", "Illumination models by ray tracing, 301 samples, reflections traced",
                  ["model", "the source", "over phong", "Metamer", "over phong"], rows,
                  "metamer render build/source/blinn.txtpb --method point --samples 400:700:1 --point-lights samples "
-                 "--size 480x360 --depth 3 --json",
+                 "--size 480x360 --depth 3 -o picture.png --json",
                  "The source evaluates Blinn's Fresnel term at each of the 301 wavelengths of each hit. Here such a term is "
                  "a weight on two spectra, and models are computed for several rays at once: tracing the rays takes most of the time.")
 
@@ -182,7 +183,7 @@ def table_4_5_2():
                          f"{1 / taken.seconds[name, per]:.3g}", times(taken.ratio((name, per), ("phong", "vertex")))])
     return table("4.5-2", "Frames per second of the models' real-time version, per vertex and per pixel",
                  ["model", "per", "the source", "time over phong per vertex", "Metamer, a CPU second", "time over phong per vertex"], rows,
-                 "metamer render build/source/blinn.txtpb --backend gl --spp 1 --method rgb --shading gouraud --json",
+                 "metamer render build/source/blinn.txtpb --backend gl --spp 1 --method rgb --shading gouraud -o picture.png --json",
                  "The source's pixel shaders had room for 64 instructions: Blinn's model had to do with one light (*) and Strauss's "
                  "did not fit. Here all fit. A frame's time is that of drawing pixels and shadows by software, next to which "
                  "a model costs little; what is evaluated per vertex is another pass, which costs as much as it saves.")

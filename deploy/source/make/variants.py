@@ -12,7 +12,7 @@ LIGHTS = ["A", "B", "C", "D50", "D55", "D65", "D75", "D93", "E"] + [f"F{i}" for 
 SATIN = "diffuseness: 0.8 specularness: 0.5"
 FRESNEL = "diffuseness: 0.8 specularness: 0.8 specular { constant: 0.6 } fresnel { schlick {} }"
 WEAKER = FRESNEL.replace("specularness: 0.8", "specularness: 0.15")  # of lobes whose height is that of all facets in one direction
-# Parameters that make the models' highlights alike; a model that is not here is shown with its defaults.
+# Parameters for highlights that can be compared, though they are not alike; a model that is not here is shown with its defaults.
 LOOKS = {
     "lambert": "diffuseness: 0.8 lambert {}",
     "blinn_phong": f"{SATIN} blinn_phong {{ shininess: 120 }}",
