@@ -27,9 +27,9 @@ class LongApartOnSlurm : public ClusterTest {
 /// A range's first attempt is held on the node that is cut off, until another node has the same
 /// range; then both go on, in either order, and both leave their result.
 TEST_F(LongApartOnSlurm, RangeThatTwoNodesRenderAtOnceCountsOnce) {
-  const Here local = counted_here(scene_, {});
+  const Here local = counted_here(scene_, {"--spp", "64"});
   const auto server = daemon("2");
-  const std::string job = submit(*server, scene_);
+  const std::string job = submit(*server, scene_, {"--spp", "64"});
   wait_for_tiles(*server, job);
   const pid_t first = task_on("n2");
   ASSERT_GT(first, 0);

@@ -52,6 +52,12 @@ std::string word_of(pid_t pid, const std::string& file) {
   return text.str();
 }
 
+pid_t parent_of(pid_t pid) {
+  const std::string status = word_of(pid, "status");
+  const auto at = status.find("PPid:");
+  return at == std::string::npos ? 0 : std::atoi(status.c_str() + at + 5);
+}
+
 /// All processes whose environment or words have this text.
 std::vector<pid_t> processes_with(const std::string& file, const std::string& text) {
   std::vector<pid_t> found;
@@ -235,19 +241,18 @@ void Cluster::start_node(const std::string& node) {
   nodes_[node] = std::make_unique<Process>(words);
 }
 
-/// slurmd, its slurmstepds, whose words name the node, and all that has the node in its
-/// environment.
+/// slurmd, all that has the node in its environment, and the slurmstepds that started that, whose
+/// own words do not name the node.
 void Cluster::power_off(const std::string& node) {
   nodes_.at(node)->signal(SIGKILL);
   nodes_.at(node)->wait();
   nodes_.erase(node);
-  const std::string conf = "SLURM_CONF=" + (folder_ / "slurm.conf");
-  for (const pid_t pid : processes_with("environ", conf)) {
-    const std::string environment = word_of(pid, "environ");
-    const std::string words = word_of(pid, "cmdline");
-    const bool of_node = environment.find("SLURMD_NODENAME=" + node) != std::string::npos ||
-                         words.find("slurmstepd: [") != std::string::npos;
-    if (of_node) ::kill(pid, SIGKILL);
+  for (const pid_t pid : processes_with("environ", "SLURM_CONF=" + (folder_ / "slurm.conf"))) {
+    if (word_of(pid, "environ").find("SLURMD_NODENAME=" + node) == std::string::npos) continue;
+    const pid_t parent = parent_of(pid);
+    if (word_of(parent, "cmdline").find("slurmstepd: [") != std::string::npos)
+      ::kill(parent, SIGKILL);
+    ::kill(pid, SIGKILL);
   }
 }
 

@@ -71,7 +71,7 @@ class ClusterTest : public testing::Test {
   }
   /// Of a job, once it has ended.
   Image fetched(const Daemon& server, const std::string& job) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(400);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(540);
     for (std::string state; state != "finished" && state != "failed";
          state = server.job_state(job)) {
       if (std::chrono::steady_clock::now() > end) break;

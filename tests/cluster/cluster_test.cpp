@@ -51,9 +51,9 @@ TEST_F(LongOnSlurm, ControllerThatIsKilledSoonAfterASubmissionLosesNothing) {
 }
 
 TEST_F(LongOnSlurm, NodeThatIsSwitchedOffLosesNothing) {
-  const Image local = here(scene_, {});
+  const Image local = here(scene_, {"--spp", "128"});
   const auto server = daemon();
-  const std::string job = submit(*server, scene_);
+  const std::string job = submit(*server, scene_, {"--spp", "128"});
   wait_for_tiles(*server, job);
   wait_for_workers(1);
   cluster_->power_off("n1");
@@ -61,11 +61,11 @@ TEST_F(LongOnSlurm, NodeThatIsSwitchedOffLosesNothing) {
 }
 
 TEST_F(LongOnSlurm, DaemonThatIsKilledGoesOnWithTheTilesThatItHas) {
-  const Image local = here(scene_, {});
+  const Image local = here(scene_, {"--spp", "128"});
   std::string job;
   {
     const auto server = daemon();
-    job = submit(*server, scene_);
+    job = submit(*server, scene_, {"--spp", "128"});
     wait_for_tiles(*server, job);
     server->signal(SIGKILL);
   }
@@ -91,8 +91,9 @@ TEST_F(LongOnSlurm, JobWhoseWorkersAreKilledThriceFailsAndOthersGoOn) {
 }
 
 TEST_F(LongOnSlurm, FiveHundredSmallTasksAreCountedOnceEach) {
-  // The first task has those of two seconds, and each other one a tile.
-  const std::vector<std::string> settings = {"--size", "256x256", "--spp", "512"};
+  // 675 tiles: the first task has those of two seconds, and each other one has one.
+  const std::vector<std::string> settings = {"--size", "432x400",     "--spp",
+                                             "1024",   "--tile-size", "16"};
   const Here local = counted_here(scene_, settings);
   const auto server = daemon("0.01");
   const std::string job = submit(*server, scene_, settings);
