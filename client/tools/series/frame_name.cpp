@@ -53,20 +53,6 @@ std::string FrameName::of(std::uint32_t number) const {
   return before_ + std::string(fill, fill_) + digits + after_;
 }
 
-std::string FrameName::glob() const {
-  std::string text;
-  const auto add = [&](const std::string& part) {
-    for (const char c : part) {
-      if (std::string_view("*?[]\\{}").find(c) != std::string_view::npos) text += '\\';
-      text += c;
-    }
-  };
-  add(before_);
-  text += '*';
-  add(after_);
-  return text;
-}
-
 Result<std::vector<std::uint32_t>> parse_frames(const std::string& text) {
   std::vector<std::uint32_t> numbers;
   for (std::string_view rest = text;;) {

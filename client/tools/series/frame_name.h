@@ -16,9 +16,8 @@ class FrameName {
   static Result<FrameName> parse(const std::string& pattern);
 
   std::string of(std::uint32_t number) const;
-  /// With `*` in the number's place, and all that a shell's pattern would take for something else
-  /// after a backslash.
-  std::string glob() const;
+  /// Short numbers, where they are filled up at all.
+  bool fills_with_zeros() const { return width_ == 0 || fill_ == '0'; }
   const std::string& pattern() const { return pattern_; }
 
  private:

@@ -1,6 +1,7 @@
 #include "client/tools/series/series_list.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -69,10 +70,12 @@ std::string details(const ListedSeries& series) {
   add(series.paused, "paused");
   add(series.failed, "failed");
   add(series.cancelled, "cancelled");
-  add(series.gone, "no longer listed");
-  add(series.to_come, "to come");
+  add(series.gone, "not listed");
+  add(series.to_come, "not submitted");
   return text;
 }
+
+bool is_live(const ListedSeries* series) { return series->live() > 0; }
 
 }  // namespace
 
@@ -128,6 +131,8 @@ Result<ListedSeries> find_series(const std::vector<ListedSeries>& listed, const 
       found.push_back(&one);
   if (found.empty())
     return problem("no series " + quoted(named) + " has jobs that are listed here");
+  if (found.size() > 1 && std::any_of(found.begin(), found.end(), is_live))
+    std::erase_if(found, std::not_fn(is_live));
   if (found.size() == 1) return *found.front();
   std::string text = "several series are called " + quoted(named) + ":";
   for (const ListedSeries* one : found) text += ' ' + series_handle(one->series.id());

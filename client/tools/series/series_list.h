@@ -16,9 +16,10 @@ struct ListedSeries {
   v1::Backend backend = v1::CPU;
   double age = 0;  ///< Seconds since the first of those that are listed was submitted.
   std::uint32_t queued = 0, running = 0, paused = 0, finished = 0, failed = 0, cancelled = 0;
-  /// Jobs before the newest that are listed no more: a server keeps so many that have ended.
+  /// Jobs before the newest that are not listed: they were refused, or ended so long ago that the
+  /// server has forgotten them.
   std::uint32_t gone = 0;
-  std::uint32_t to_come = 0;        ///< After it, which nobody has submitted yet.
+  std::uint32_t to_come = 0;        ///< After it: not submitted, or not yet.
   std::vector<std::string> places;  ///< Where those that run are, as far as that is said.
 
   std::uint32_t live() const { return queued + running + paused; }
@@ -32,8 +33,8 @@ std::string describe(const ListedSeries& series);
 
 /// Whether a person's word names a series: "series:3f9c2a1b" or "series:booth.txtpb, turntable".
 bool names_series(const std::string& word);
-/// The one that it names, by at least 6 of the digits of its id, or by its name. Errors: there is
-/// none; there are several.
+/// The one that it names, by at least 6 of the digits of its id, or by its name; of several that
+/// which is live alone. Errors: there is none; there are several.
 Result<ListedSeries> find_series(const std::vector<ListedSeries>& listed, const std::string& word);
 
 }  // namespace metamer::client

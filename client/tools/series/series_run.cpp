@@ -163,7 +163,10 @@ void SeriesRun::shown(std::uint32_t index, const v1::JobEvent& event) {
 }
 
 void SeriesRun::end(std::uint32_t index, SeriesEnd end) {
-  ++(end && end->last.has_finished() ? counts_.done : counts_.failed);
+  const bool cancelled = end && end->last.has_cancelled();
+  ++(end && end->last.has_finished() ? counts_.done
+     : cancelled                     ? counts_.cancelled
+                                     : counts_.failed);
   calls_.ended(index, std::move(end));
   tell();
 }
@@ -177,7 +180,7 @@ void SeriesRun::cancel() {
 
 void SeriesRun::tell() {
   counts_.submitted = static_cast<std::uint32_t>(submitted_.size());
-  double sum = counts_.done + counts_.failed;
+  double sum = counts_.done + counts_.failed + counts_.cancelled;
   for (const auto& [index, job] : submitted_) sum += job.share;
   counts_.share = counts_.count > 0 ? sum / counts_.count : 1;
   calls_.progress(counts_);

@@ -35,7 +35,7 @@ std::string series_handle(const std::string& id);
 /// How far a series is.
 struct SeriesCounts {
   std::uint32_t count = 0;
-  std::uint32_t done = 0, failed = 0;
+  std::uint32_t done = 0, failed = 0, cancelled = 0;
   std::uint32_t submitted = 0;  ///< And not ended.
   double share = 0;             ///< Of all its work, 0 to 1, if its jobs are alike.
 };

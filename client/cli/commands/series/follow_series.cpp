@@ -18,17 +18,17 @@ std::string counts_text(const SeriesCounts& counts, const std::string& noun, dou
   std::string text = client::formatted("%u/%u ", counts.done, counts.count) + noun;
   if (counts.submitted > 0) text += client::formatted(", %u submitted", counts.submitted);
   if (counts.failed > 0) text += client::formatted(", %u failed", counts.failed);
+  if (counts.cancelled > 0) text += client::formatted(", %u cancelled", counts.cancelled);
   // Before the first has ended nobody knows what one takes.
   if (counts.done > 0 && counts.share > 0)
     text += "  " + client::clock(seconds * (1 - counts.share) / counts.share) + " left";
   return text;
 }
 
-/// How a promise was broken; empty: it was not.
-std::string broken_promise(const client::JobRecord& job) {
-  if (!job.plan || !job.last.has_finished()) return {};
-  const auto promise = client::promise_text(*job.plan, job.last.finished());
-  return promise && !promise->kept ? "the promise is broken by " + promise->text : std::string();
+/// What was measured of a picture, and whether that is what was promised.
+std::optional<client::PromiseText> measured(const SeriesPart& part) {
+  if (!part.record || !part.record->plan || !part.record->last.has_finished()) return std::nullopt;
+  return client::promise_text(*part.record->plan, part.record->last.finished());
 }
 
 }  // namespace
@@ -62,9 +62,11 @@ boost::asio::awaitable<ExitCode> follow_series(Session& session, Interrupts& int
                     .failure = failure_of(end),
                     .record = std::nullopt};
     if (end) part.record = std::move(*end);
-    const std::string broken = part.record ? broken_promise(*part.record) : std::string();
-    promises_kept = promises_kept && broken.empty();
-    if (!broken.empty()) view.line(part.label + ": " + broken);
+    if (const auto promise = measured(part)) {
+      promises_kept = promises_kept && promise->kept;
+      view.line(part.label + ": " + (promise->kept ? "" : "the promise is broken by ") +
+                promise->text);
+    }
     if (!part.failure.empty()) view.line(part.label + ": " + part.failure);
     take(std::move(part), view);
   };
@@ -92,7 +94,8 @@ boost::asio::awaitable<ExitCode> follow_series(Session& session, Interrupts& int
             {"name", plan.jobs.name},
             {"count", counts->count},
             {"done", counts->done},
-            {"failed", counts->failed}};
+            {"failed", counts->failed},
+            {"cancelled", counts->cancelled}};
   if (run.cancelled()) {
     report.error("cancelled");
     co_return ExitCode::cancelled;

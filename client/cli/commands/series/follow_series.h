@@ -29,8 +29,9 @@ struct SeriesPlan {
 };
 
 /// Runs a series to its end, with one line of progress on stderr; Ctrl-C cancels what was
-/// submitted. Names each job that failed, with its reason. Gives the code of the whole: job_failed
-/// where one has failed, cancelled, or no_server, where those that were submitted go on there.
+/// submitted. Names each job that failed, with its reason, and what was measured of one that was
+/// verified. Gives the code of the whole: job_failed where one has failed, cancelled, or no_server,
+/// where those that were submitted go on there.
 boost::asio::awaitable<ExitCode> follow_series(Session& session, Interrupts& interrupts,
                                                const SeriesPlan& plan, const TakePart& take,
                                                Report& report);

@@ -1,12 +1,16 @@
 #include "client/cli/commands/series/series_output.h"
 
+#include <filesystem>
+#include <set>
+
 #include "client/tools/pictures/save_pictures.h"
 
 namespace metamer::cli {
 
 std::optional<SeriesOutput> SeriesOutput::read(const OutputOptions& options,
                                                const std::string& option, const std::string& sheet,
-                                               std::uint32_t first, Report& report) {
+                                               const std::vector<std::uint32_t>& numbers,
+                                               Report& report) {
   SeriesOutput output;
   output.options_ = options;
   bool good = true;
@@ -26,9 +30,26 @@ std::optional<SeriesOutput> SeriesOutput::read(const OutputOptions& options,
     good = good && wrong.empty();
   }
   OutputOptions checked = options;
-  checked.files = output.files(first);
+  checked.files = output.files(numbers.front());
   if (!good || check_output(checked, report) != ExitCode::done) return std::nullopt;
+  if (const std::string file = output.named_twice(sheet, numbers); !file.empty()) {
+    report.error((file == sheet ? "--sheet" : option) + ": " + quoted(file) + " is named twice");
+    return std::nullopt;
+  }
   return output;
+}
+
+std::string SeriesOutput::named_twice(const std::string& sheet,
+                                      const std::vector<std::uint32_t>& numbers) const {
+  std::set<std::string> seen;
+  const auto is_new = [&](const std::string& file) {
+    std::error_code ignored;
+    return seen.insert(std::filesystem::absolute(file, ignored).lexically_normal().string()).second;
+  };
+  for (const std::uint32_t number : numbers)
+    for (const std::string& file : files(number))
+      if (!is_new(file)) return file;
+  return sheet.empty() || is_new(sheet) ? std::string() : sheet;
 }
 
 std::vector<std::string> SeriesOutput::files(std::uint32_t number) const {

@@ -27,11 +27,25 @@ Result<Overrides> overrides_of(const Sweep& sweep, const SweepRow& row) {
   return overrides;
 }
 
-/// Whether each axis is an option that changes a scene, and but for lists of them no two are one.
-Result<void> check_axes(const std::vector<SweepAxis>& axes) {
-  Overrides nothing;
+/// Whether the command line has a value for it. One of a list goes with others.
+bool is_given(const Option& option) {
+  return std::visit(
+      [](const auto* target) {
+        if constexpr (std::is_same_v<decltype(target), const bool*>)
+          return *target;
+        else if constexpr (requires { target->has_value(); })
+          return target->has_value();
+        else
+          return false;
+      },
+      option.target);
+}
+
+/// Whether each axis is an option that changes a scene, and but for lists of them neither given
+/// beside it nor another axis.
+Result<void> check_axes(const std::vector<SweepAxis>& axes, Overrides given) {
   Options options;
-  declare_overrides(nothing, options);
+  declare_overrides(given, options);
   std::vector<std::string> names, taken;
   for (const Option& option : options) names.push_back(option.names.substr(2));
   for (const SweepAxis& axis : axes) {
@@ -43,6 +57,7 @@ Result<void> check_axes(const std::vector<SweepAxis>& axes) {
     const bool is_list = std::holds_alternative<std::vector<std::string>*>(option.target);
     if (!is_list && std::find(taken.begin(), taken.end(), axis.name) != taken.end())
       return problem(quoted(axis.name) + " is varied twice");
+    if (is_given(option)) return problem(quoted(axis.name) + " is varied and given");
     taken.push_back(axis.name);
   }
   return {};
@@ -61,7 +76,7 @@ std::optional<Sweep> understand(const SweepOptions& options, Report& report) {
     if (!axis) return refuse("--vary", axis.error().message);
     sweep.axes.push_back(std::move(*axis));
   }
-  if (auto checked = check_axes(sweep.axes); !checked)
+  if (auto checked = check_axes(sweep.axes, options.overrides); !checked)
     return refuse("--vary", checked.error().message);
   auto rows = client::sweep_rows(sweep.axes);
   if (!rows) return refuse("--vary", rows.error().message);
@@ -72,7 +87,10 @@ std::optional<Sweep> understand(const SweepOptions& options, Report& report) {
   std::iota(sweep.order.begin(), sweep.order.end(), std::size_t{0});
   std::rotate(sweep.order.begin(), sweep.order.begin() + static_cast<std::ptrdiff_t>(*reference),
               sweep.order.begin() + static_cast<std::ptrdiff_t>(*reference) + 1);
-  auto pictures = SeriesOutput::read(options.pictures, "--pictures", options.sheet, 1, report);
+  std::vector<std::uint32_t> numbers(sweep.rows.size());
+  std::iota(numbers.begin(), numbers.end(), 1u);
+  auto pictures =
+      SeriesOutput::read(options.pictures, "--pictures", options.sheet, numbers, report);
   if (!pictures) return std::nullopt;
   sweep.pictures = std::move(*pictures);
   std::error_code error;
@@ -93,14 +111,12 @@ Result<CheckedScene> SweepScenes::scene(std::size_t row) {
 }
 
 bool SweepScenes::check(Report& report) {
-  std::optional<Problem> first;
-  for (std::size_t row = 0; row < sweep_.rows.size(); ++row) {
-    auto read = scene(row);
-    if (read) return true;
-    if (!first) first = std::move(read.error());
-  }
-  report.error("no row can be rendered; of " + sweep_.rows.front().label + ":");
-  report.problem(*first);
+  const std::size_t reference = sweep_.order.front();
+  const auto read = scene(reference);
+  if (read) return true;
+  report.error("the reference, row " + std::to_string(reference + 1) + " (" +
+               sweep_.rows[reference].label + "), can't be rendered:");
+  report.problem(read.error());
   return false;
 }
 

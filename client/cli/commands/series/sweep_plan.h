@@ -42,7 +42,7 @@ class SweepScenes {
 
   /// Error: the first of what is wrong with it.
   Result<client::CheckedScene> scene(std::size_t row);
-  /// False: none of the rows can be rendered, which is said of the first.
+  /// False: the reference can't be rendered, which is said, and nothing would compare with it.
   bool check(Report& report);
 
  private:

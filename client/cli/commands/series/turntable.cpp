@@ -10,6 +10,7 @@
 #include "client/cli/shared_options.h"
 #include "client/tools/pictures/save_pictures.h"
 #include "client/tools/scene/camera_motion.h"
+#include "client/tools/series/movie_command.h"
 #include "client/tools/text/formatted.h"
 #include "common/scene/settings.h"
 
@@ -50,33 +51,20 @@ std::optional<Turntable> understand(const TurntableOptions& options, Report& rep
     report.error("--frames: " + frames.error().message);
     return std::nullopt;
   }
-  auto output =
-      SeriesOutput::read(options.output, "--output", options.sheet, frames->front(), report);
+  auto output = SeriesOutput::read(options.output, "--output", options.sheet, *frames, report);
   if (!output) return std::nullopt;
   return Turntable{options, *std::move(frames), *std::move(output)};
 }
 
-/// How to make a movie of the frames; empty: there is none to make.
+/// How to make a movie of the frames, once all are there; empty: there is none to make.
 std::string movie_hint(const Turntable& turntable, const v1::Settings& settings) {
   const auto& names = turntable.output.names();
   const auto png = std::find_if(names.begin(), names.end(), [](const client::FrameName& name) {
     return !client::is_exr(name.pattern());
   });
   if (turntable.frames.size() < 2 || png == names.end()) return {};
-  const auto in_quotes = [](const std::string& words) {
-    std::string text = "'";
-    for (const char c : words) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
-  };
-  const bool gapless = turntable.frames[1] == turntable.frames[0] + 1;
-  std::string command = "ffmpeg -framerate 24 ";
-  command +=
-      gapless ? formatted("-start_number %u -i ", turntable.frames[0]) + in_quotes(png->pattern())
-              : "-pattern_type glob -i " + in_quotes(png->glob());
-  // H.264's usual colours come in squares of two pixels.
-  if (settings.width() % 2 != 0 || settings.height() % 2 != 0)
-    command += " -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2'";
-  return command + " -pix_fmt yuv420p turntable.mp4";
+  const bool even = settings.width() % 2 == 0 && settings.height() % 2 == 0;
+  return client::movie_command(*png, turntable.frames, even);
 }
 
 /// What became of one frame, for --json.
@@ -88,6 +76,8 @@ Json frame_json(const Turntable& turntable, const SeriesPart& part) {
   if (part.record->last.has_finished()) {
     json["timing"] = to_json(part.record->last.finished().timing());
     json["record"] = to_json(part.record->last.finished().record());
+    if (part.record->last.finished().has_accuracy())
+      json["accuracy"] = to_json(part.record->last.finished().accuracy());
     json["files"] = turntable.output.files(turntable.frames[part.index]);
   }
   return json;
@@ -129,8 +119,10 @@ boost::asio::awaitable<ExitCode> turn_on(Session& session, Interrupts& interrupt
   const ExitCode ended = co_await follow_series(session, interrupts, plan, take, report);
   if (ended == ExitCode::no_server || ended == ExitCode::cancelled) co_return ended;
   if (const ExitCode code = sheet.write(report); code != ExitCode::done) written = code;
-  if (const std::string hint = movie_hint(turntable, with_defaults(scene.scene().settings()));
-      !hint.empty()) {
+  const bool all_there = ended != ExitCode::job_failed && written == ExitCode::done;
+  const std::string hint =
+      all_there ? movie_hint(turntable, with_defaults(scene.scene().settings())) : std::string();
+  if (!hint.empty()) {
     report.document()["movie"] = hint;
     report.line("a movie: " + hint);
   }
@@ -156,11 +148,14 @@ void declare(TurntableOptions& values, Options& options) {
                      .meaning = "which frames, such as 0:359 or, by a step, 0:350:10",
                      .type = "FIRST:LAST[:STEP]",
                      .required = true});
-  options.push_back({.names = "--count",
-                     .target = &values.per_turn,
-                     .meaning = "frames of a whole turn, counter-clockwise as seen from above",
-                     .shows_default = true,
-                     .range = {{1, 1'000'000}}});
+  options.push_back(
+      {.names = "--count",
+       .target = &values.per_turn,
+       .meaning =
+           "frames of a whole turn about the camera's up, through its target; counter-clockwise "
+           "as seen from above",
+       .shows_default = true,
+       .range = {{1, 1'000'000}}});
   declare_picture_files(values.output, options);
   for (Option& option : options)
     if (option.names == "-o,--output")

@@ -19,7 +19,6 @@ TEST(FrameName, IsWhatPrintfMakesOfThePattern) {
     }
   }
   EXPECT_EQ(FrameName::parse("100%%/%d.png")->of(3), "100%/3.png");
-  EXPECT_EQ(FrameName::parse("a[1]*%04d.png")->glob(), "a\\[1\\]\\**.png");
 }
 
 TEST(FrameName, WithoutOnePlaceForANumberIsNone) {

@@ -183,6 +183,8 @@ TEST(SeriesRun, OneThatSomebodyCancelsEndsThemAll) {
   const Outcome outcome = run(server, 20);
   ASSERT_TRUE(outcome.counts);
   EXPECT_TRUE(outcome.cancelled);
+  EXPECT_EQ(outcome.counts->failed, 0u);
+  EXPECT_EQ(outcome.counts->cancelled, 3u);
   EXPECT_LT(server.submitted.size(), 20u);
   EXPECT_EQ(server.cancels, 2u) << "those that were submitted beside it";
 }
@@ -217,7 +219,7 @@ TEST(SeriesList, CountsWhatBecameOfEachAndWhatIsGone) {
   EXPECT_EQ(all[0].gone, 3u) << "0, 1 and 3";
   EXPECT_EQ(describe(all[0]),
             " series:61616161  running         1 of 9      1:39  cpu  ann  series a  (1 running: 1 "
-            "task on n1; 1 queued; 3 no longer listed; 3 to come)");
+            "task on n1; 1 queued; 3 not listed; 3 not submitted)");
   v1::JobList alone;
   *alone.add_job() = listed(1, v1::FINISHED, 'a', 0);
   EXPECT_NE(describe(listed_series(alone)[0]).find("  partial  "), std::string::npos);
@@ -225,7 +227,7 @@ TEST(SeriesList, CountsWhatBecameOfEachAndWhatIsGone) {
   EXPECT_NE(describe(listed_series(alone)[0]).find("  finished  "), std::string::npos);
   EXPECT_EQ(describe(all[1]),
             " series:62626262  failed          0 of 9      1:37  cpu  ann  series b  (1 failed; 8 "
-            "to come)");
+            "not submitted)");
 }
 
 TEST(SeriesList, OneIsFoundByItsFirstBytesOrItsName) {
@@ -241,6 +243,9 @@ TEST(SeriesList, OneIsFoundByItsFirstBytesOrItsName) {
     EXPECT_FALSE(find_series(all, word)) << word;
   EXPECT_EQ(find_series(all, "series:series a").error().message,
             "several series are called \"series a\": series:61616161 series:62626262");
+  list.mutable_job(0)->set_state(v1::RUNNING);
+  EXPECT_EQ(find_series(listed_series(list), "series:series a")->series.id()[0], 'a')
+      << "the other has ended";
 }
 
 TEST(SeriesList, BelievesNoIndexOfAServer) {
