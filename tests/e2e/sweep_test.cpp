@@ -12,17 +12,24 @@ namespace {
 TEST(SweepCommand, MeasuresAllCombinationsAgainstOne) {
   const Folder folder;
   const std::string scene = folder.write("scene.txtpb", small_scene());
-  const Ended ended =
-      metamer({"sweep", scene, "--vary", "method=rgb,exact", "--vary", "light=lamp=A,lamp=D65",
-               "--reference", "method=exact light=lamp=D65", "-o", folder / "out", "--pictures",
-               folder / "%02d.exr", "--sheet", folder / "sheet.png", "--size", "24x16", "--spp",
-               "1", "--json"});
+  const Ended ended = metamer({"sweep",       scene,
+                               "--vary",      "method=rgb,exact",
+                               "--vary",      "light=lamp=A,lamp=D65",
+                               "--reference", "method=exact light=lamp=D65",
+                               "-o",          folder / "out",
+                               "--pictures",  folder / "%02d.exr",
+                               "--sheet",     folder / "sheet.png",
+                               "--size",      "24x16",
+                               "--spp",       "1",
+                               "--verify",    "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_NE(ended.err.find("light=lamp=D65: exact: ΔE00 against"), std::string::npos) << ended.err;
   const Json answer = parse_document(ended.out);
   ASSERT_EQ(answer["rows"].size(), 4u);
   for (const Json& row : answer["rows"]) {
     EXPECT_GT(row["cpu_seconds"], 0) << row;
     EXPECT_EQ(row["record"]["machine"].size(), 1u);
+    EXPECT_EQ(row["accuracy"]["white"].size(), 3u);
   }
   EXPECT_EQ(answer["rows"][3]["values"]["light"], "lamp=D65");
   EXPECT_TRUE(answer["rows"][3]["reference"]);
@@ -52,6 +59,30 @@ TEST(SweepCommand, ARowThatCanNotBeHasItsReasonAndOthersGoOn) {
   EXPECT_FALSE(answer["rows"][2].contains("failure"));
 }
 
+TEST(SweepCommand, OneThatIsCancelledKeepsTheRowsThatAreDone) {
+  const Folder folder;
+  const Daemon server;
+  const std::string scene = folder.write("scene.txtpb", endless_scene());
+  const auto sweeping = server.start(
+      {"sweep", scene, "--vary", "size=8x8,2048x2048", "-o", folder / "out", "--json"});
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+  const auto is_done = [&] {
+    const Json jobs = server.json({"jobs"})["jobs"];
+    return jobs.size() == 2 && jobs[0]["state"] == "finished";
+  };
+  while (!is_done() && std::chrono::steady_clock::now() < end) {
+  }
+  sweeping->signal(SIGTERM);
+  const Ended ended = sweeping->wait();
+  EXPECT_EQ(ended.code, 5) << ended.err;
+  const Json answer = parse_document(ended.out);
+  EXPECT_EQ(answer["series"]["cancelled"], 1);
+  ASSERT_EQ(answer["rows"].size(), 2u);
+  EXPECT_GT(answer["rows"][0]["timing"]["rays"], 0);
+  EXPECT_EQ(answer["rows"][1]["failure"], "cancelled");
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/sweep.csv"));
+}
+
 TEST(SweepCommand, WhatCanNotBeIsSaidBeforeAnythingIsRendered) {
   const Folder folder;
   const std::string scene = folder.write("scene.txtpb", small_scene());
@@ -59,7 +90,10 @@ TEST(SweepCommand, WhatCanNotBeIsSaidBeforeAnythingIsRendered) {
       {{"--vary", "methd=rgb"}, "did you mean \"method\"?"},
       {{"--vary", "spp=1,2", "--vary", "spp=4"}, "is varied twice"},
       {{"--vary", "spp=1,2", "--reference", "3"}, "there is no row 3 of 2"},
-      {{"--vary", "spp=0,x"}, "no row can be rendered"},
+      {{"--vary", "spp=0,1"}, "the reference, row 1 (spp=0), can't be rendered"},
+      {{"--vary", "spp=1,4", "--spp", "9"}, "\"spp\" is varied and given"},
+      {{"--vary", "spp=1,2", "--pictures", folder / "s%d.png", "--sheet", folder / "s2.png"},
+       "s2.png\" is named twice"},
       {{"--vary", "spp=1", "--pictures", folder / "a.exr"}, "--pictures: "}};
   for (const auto& [words, message] : wrong) {
     std::vector<std::string> all = {"sweep", scene};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "client/session/job_record.h"
+#include "client/tools/pictures/comparison.h"
 #include "client/tools/series/series_run.h"
 #include "common/color/error_statistics.h"
 #include "common/image/image.h"
@@ -42,14 +43,20 @@ Result<std::size_t> find_row(const std::vector<SweepAxis>& axes, const std::vect
 /// What became of a row.
 struct SweepOutcome {
   SweepRow row;
-  std::string failure;  ///< Why there is nothing else; empty: it rendered.
+  std::string failure = "not finished";  ///< Why there is nothing else; empty: it rendered.
   JobHandle job;
   v1::Timing timing;
   v1::RunRecord record;
+  std::optional<v1::Accuracy> accuracy;  ///< Of a row that was verified, or that has a goal.
+  v1::Development development;           ///< How its picture is shown.
   bool is_reference = false;
   std::optional<ErrorStatistics> error;  ///< ΔE00 from the reference; of this itself nothing.
-  std::string uncompared;                ///< Why it has none.
-  std::uint32_t width = 0;               ///< Of its picture.
+  std::optional<White> white;            ///< Of that ΔE00.
+  /// Options by which it is shown otherwise than the reference, of which the ΔE00 knows nothing: it
+  /// is that of the light of both pictures.
+  std::vector<std::string> not_in_error;
+  std::string uncompared;   ///< Why it has none.
+  std::uint32_t width = 0;  ///< Of its picture.
 
   double cpu_seconds() const;
   std::string machines() const;  ///< "n1 n2": on which it was rendered.
@@ -62,7 +69,7 @@ class SweepComparison {
   /// A row's picture; the reference may come at any time, and those before it wait for it.
   void add(SweepOutcome& outcome, Image picture);
   void set_reference(Image picture, const v1::Plan& plan, const v1::Scene& scene);
-  /// There will be none.
+  /// There will be none; of one that has come nothing changes.
   void give_up(const std::string& why);
 
  private:
@@ -70,7 +77,8 @@ class SweepComparison {
 
   std::optional<Image> reference_;
   std::string none_;  ///< Why there is none.
-  Xyz white_{};
+  White white_{};
+  v1::Development development_;  ///< Of the reference.
   std::vector<std::pair<SweepOutcome*, Image>> waiting_;
 };
 

@@ -9,6 +9,46 @@
 #include "common/image/compare.h"
 
 namespace metamer::client {
+namespace {
+
+/// The options by which two pictures are shown that are not the same, as the command line has them.
+std::vector<std::string> unlike(const v1::Development& a, const v1::Development& b) {
+  std::vector<std::string> names;
+  if (a.has_adaptation() != b.has_adaptation() || a.adaptation() != b.adaptation())
+    names.emplace_back("adapt");
+  if (a.rgb_space() != b.rgb_space() ||
+      a.primaries().SerializeAsString() != b.primaries().SerializeAsString())
+    names.emplace_back("rgb");
+  if (a.exposure() != b.exposure() || a.white_luminance() != b.white_luminance())
+    names.emplace_back("exposure");
+  if (a.linear() != b.linear()) names.emplace_back("linear");
+  return names;
+}
+
+std::string error_fields(const SweepOutcome& one) {
+  if (!one.error) return std::string(12, ',');
+  const ErrorStatistics& error = *one.error;
+  std::string text;
+  for (const double number :
+       {error.mean, error.median, error.percentile_95, error.percentile_99, error.maximum})
+    text += number_text(number) + ",";
+  for (const std::size_t count : {error.at % one.width, error.at / one.width, error.not_finite})
+    text += std::to_string(count) + ",";
+  for (std::size_t i = 0; i < 3; ++i)
+    text += (one.white ? number_text(one.white->xyz[i]) : "") + ",";
+  std::string names;
+  for (const std::string& name : one.not_in_error) names += (names.empty() ? "" : " ") + name;
+  return text + csv_field(names) + ",";
+}
+
+std::string accuracy_fields(const SweepOutcome& one) {
+  if (!one.accuracy) return std::string(4, ',');
+  const v1::ColorError& error = one.accuracy->error();
+  return number_text(error.mean()) + "," + number_text(error.percentile_95()) + "," +
+         number_text(error.maximum()) + "," + (one.accuracy->kept() ? "1," : "0,");
+}
+
+}  // namespace
 
 double SweepOutcome::cpu_seconds() const {
   double sum = 0;
@@ -25,7 +65,9 @@ std::string SweepOutcome::machines() const {
 
 void SweepComparison::set_reference(Image picture, const v1::Plan& plan, const v1::Scene& scene) {
   reference_ = std::move(picture);
-  white_ = lit_white(plan, scene).value_or(srgb_white().xyz);
+  const std::optional<Xyz> lit = lit_white(plan, scene);
+  white_ = lit ? White{"of the dominant light", *lit} : srgb_white();
+  development_ = plan.development();
   for (const auto& [outcome, waiting] : std::exchange(waiting_, {}))
     compare_with(*outcome, waiting);
 }
@@ -45,11 +87,14 @@ void SweepComparison::add(SweepOutcome& outcome, Image picture) {
 }
 
 void SweepComparison::compare_with(SweepOutcome& outcome, const Image& picture) const {
-  auto difference = compare(*reference_, picture, Metric::de00, white_);
-  if (difference)
-    outcome.error = std::move(difference->statistics);
-  else
+  auto difference = compare(*reference_, picture, Metric::de00, white_.xyz);
+  if (!difference) {
     outcome.uncompared = difference.error().message;
+    return;
+  }
+  outcome.error = std::move(difference->statistics);
+  outcome.white = white_;
+  outcome.not_in_error = unlike(development_, outcome.development);
 }
 
 std::string sweep_csv(const std::vector<SweepAxis>& axes,
@@ -58,7 +103,8 @@ std::string sweep_csv(const std::vector<SweepAxis>& axes,
   for (const SweepAxis& axis : axes) text += csv_field(axis.name) + ",";
   text +=
       "render_seconds,prepare_seconds,total_seconds,cpu_seconds,rays,mean,median,percentile_95,"
-      "percentile_99,maximum,x,y,not_finite,reference,machines,job,failure\r\n";
+      "percentile_99,maximum,x,y,not_finite,white_x,white_y,white_z,not_in_error,verified_mean,"
+      "verified_percentile_95,verified_maximum,kept,reference,machines,job,failure\r\n";
   for (const SweepOutcome& one : outcomes) {
     for (const std::string& value : one.row.values) text += csv_field(value) + ",";
     if (one.failure.empty()) {
@@ -71,16 +117,7 @@ std::string sweep_csv(const std::vector<SweepAxis>& axes,
     } else {
       text += ",,,,,";
     }
-    if (one.error) {
-      const ErrorStatistics& error = *one.error;
-      for (const double number :
-           {error.mean, error.median, error.percentile_95, error.percentile_99, error.maximum})
-        text += number_text(number) + ",";
-      for (const std::size_t count : {error.at % one.width, error.at / one.width, error.not_finite})
-        text += std::to_string(count) + ",";
-    } else {
-      text += ",,,,,,,,";
-    }
+    text += error_fields(one) + accuracy_fields(one);
     text += std::string(one.is_reference ? "1" : "0") + "," + csv_field(one.machines()) + ",";
     text += csv_field(one.job.number > 0 ? to_text(one.job) : "") + ",";
     text += csv_field(one.failure.empty() ? one.uncompared : one.failure) + "\r\n";

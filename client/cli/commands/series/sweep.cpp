@@ -45,6 +45,8 @@ class Sweeping {
     JobRecord& job = *part.record;
     outcome.timing = job.last.finished().timing();
     outcome.record = job.last.finished().record();
+    if (job.last.finished().has_accuracy()) outcome.accuracy = job.last.finished().accuracy();
+    outcome.development = job.plan->development();
     outcome.width = job.plan->width();
     if (outcome.is_reference)
       comparison_.set_reference(job.film->image(), *job.plan, reference_scene_);
@@ -56,8 +58,9 @@ class Sweeping {
     if (code != ExitCode::done) written_ = code;
   }
 
-  /// The table, and the files.
+  /// The table, and the files, of whatever rows are done.
   ExitCode report() {
+    comparison_.give_up("the reference is not finished");
     for (const std::string& line : sweep_table(outcomes_)) report_.line(line);
     report_.document()["rows"] = sweep_json(sweep_.axes, outcomes_);
     for (std::size_t row = 0; row < outcomes_.size(); ++row)
@@ -111,7 +114,6 @@ boost::asio::awaitable<ExitCode> sweep_on(Session& session, Interrupts& interrup
     sweeping.take(std::move(part), view);
   };
   const ExitCode ended = co_await follow_series(session, interrupts, plan, take, report);
-  if (ended == ExitCode::no_server || ended == ExitCode::cancelled) co_return ended;
   const ExitCode written = sweeping.report();
   co_return ended == ExitCode::done ? written : ended;
 }

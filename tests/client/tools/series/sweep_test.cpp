@@ -89,6 +89,24 @@ TEST(Sweep, RowsAreComparedWheneverTheReferenceComes) {
   EXPECT_NEAR(outcomes[1].error->mean, expected, 0.01);
   EXPECT_FALSE(outcomes[2].error);
   EXPECT_FALSE(outcomes[2].uncompared.empty()) << "another size";
+  ASSERT_TRUE(outcomes[1].white);
+  EXPECT_EQ(outcomes[1].white->name, "of the dominant light");
+  EXPECT_EQ(outcomes[1].white->xyz, (Xyz{0.95047, 1, 1.08883}));
+  EXPECT_TRUE(outcomes[1].not_in_error.empty());
+}
+
+TEST(Sweep, HowAPictureIsShownIsNamedWhereTheDifferenceKnowsNothingOfIt) {
+  SweepOutcome outcome;
+  outcome.development.set_exposure(2);
+  outcome.development.set_rgb_space(v1::REC_2020);
+  outcome.development.set_adaptation(v1::BRADFORD);
+  SweepComparison comparison;
+  comparison.add(outcome, grey(0.5F));
+  v1::Plan plan = with_white();
+  plan.mutable_development()->set_adaptation(v1::BRADFORD);
+  plan.mutable_development()->set_linear(true);
+  comparison.set_reference(grey(0.5F), plan, lit_scene());
+  EXPECT_EQ(outcome.not_in_error, (std::vector<std::string>{"rgb", "exposure", "linear"}));
 }
 
 TEST(Sweep, WithoutItsReferenceSaysWhyNothingIsCompared) {
@@ -103,7 +121,11 @@ TEST(Sweep, WithoutItsReferenceSaysWhyNothingIsCompared) {
 TEST(Sweep, TheTableHasEachRowInOneLine) {
   std::vector<SweepOutcome> outcomes(3);
   const std::vector<SweepAxis> axes = {{"light", {"a=A,b", "c\"d", "e"}}};
-  for (std::size_t i = 0; i < 3; ++i) outcomes[i].row = sweep_rows(axes).value()[i];
+  EXPECT_EQ(outcomes[0].failure, "not finished");
+  for (std::size_t i = 0; i < 3; ++i) {
+    outcomes[i].row = sweep_rows(axes).value()[i];
+    outcomes[i].failure.clear();
+  }
   outcomes[0].is_reference = true;
   outcomes[0].timing.set_render(0.25);
   outcomes[0].timing.set_rays(1000);
@@ -112,13 +134,17 @@ TEST(Sweep, TheTableHasEachRowInOneLine) {
   outcomes[0].record.add_phase()->set_cpu_seconds(0.125);
   outcomes[1].failure = "no such luck";
   outcomes[2].uncompared = "another size";
+  outcomes[2].accuracy.emplace().mutable_error()->set_mean(0.5);
   outcomes[2].job = {.number = 7, .server = "3f9c2a1b"};
-  EXPECT_EQ(sweep_csv(axes, outcomes),
-            "light,render_seconds,prepare_seconds,total_seconds,cpu_seconds,rays,mean,median,"
-            "percentile_95,percentile_99,maximum,x,y,not_finite,reference,machines,job,failure\r\n"
-            "\"a=A,b\",0.25,0,0,0.625,1000,,,,,,,,,1,n1,,\r\n"
-            "\"c\"\"d\",,,,,,,,,,,,,,0,,,no such luck\r\n"
-            "e,0,0,0,0,0,,,,,,,,,0,,7@3f9c2a1b,another size\r\n");
+  EXPECT_EQ(
+      sweep_csv(axes, outcomes),
+      "light,render_seconds,prepare_seconds,total_seconds,cpu_seconds,rays,mean,median,"
+      "percentile_95,percentile_99,maximum,x,y,not_finite,white_x,white_y,white_z,not_in_error,"
+      "verified_mean,verified_percentile_95,verified_maximum,kept,reference,machines,job,"
+      "failure\r\n"
+      "\"a=A,b\",0.25,0,0,0.625,1000,,,,,,,,,,,,,,,,,1,n1,,\r\n"
+      "\"c\"\"d\",,,,,,,,,,,,,,,,,,,,,,0,,,no such luck\r\n"
+      "e,0,0,0,0,0,,,,,,,,,,,,,0.5,0,0,0,0,,7@3f9c2a1b,another size\r\n");
 }
 
 }  // namespace
