@@ -6,6 +6,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <utility>
@@ -49,10 +50,12 @@ Daemon::Daemon(Listens listens, std::vector<std::string> options) {
   ProcessOptions how;
   how.parent_fd = pair[1];
   how.environment["TMPDIR"] = folder_.path();
+  if (std::find(options.begin(), options.end(), "--threads") == options.end())
+    options.insert(options.end(), {"--threads", "1"});
   // Little is logged: nobody reads the pipe before the end.
   process_ = std::make_unique<Process>(
       joined({"metamerd", "--listen", address_, "--open", "--parent-fd", "3", "--log-level",
-              "error", "--threads", "1", "--first-job", "1", "--unconfined"},
+              "error", "--first-job", "1", "--unconfined"},
              options),
       how);
   close(pair[1]);
