@@ -8,7 +8,7 @@ namespace metamer::client {
 namespace {
 
 /// A word of a shell. `format`: one that printf reads.
-std::string in_quotes(const std::string& words, bool format) {
+std::string shell_word(const std::string& words, bool format) {
   std::string text = "'";
   for (const char c : words) {
     if (c == '\'') {
@@ -38,11 +38,11 @@ std::string movie_command(const FrameName& name, const std::vector<std::uint32_t
   if (is_sequence(name, frames)) {
     // There may be further files, of an earlier series.
     text = formatted("ffmpeg -framerate 24 -start_number %u -i ", frames[0]) +
-           in_quotes(name.pattern(), false) + formatted(" -frames:v %zu", frames.size());
+           shell_word(name.pattern(), false) + formatted(" -frames:v %zu", frames.size());
   } else {
     text = formatted("for n in $(seq %u %u %u); do cat -- \"$(printf -- ", frames[0],
                      frames[1] - frames[0], frames.back()) +
-           in_quotes(name.pattern(), true) +
+           shell_word(name.pattern(), true) +
            " \"$n\")\"; done | ffmpeg -framerate 24 -f image2pipe -c:v png -i -";
   }
   // H.264's usual colours come in squares of two pixels.
