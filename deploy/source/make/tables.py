@@ -66,14 +66,15 @@ def table_4_2_2():
     for count, (passes, rate) in sorted(printed.TABLE_4_2_2.items(), reverse=True):
         fastest = printed.TABLE_4_2_2[3][1]
         rows.append([name_of(count), str(passes), f"{rate:g}", times(fastest / rate),
-                     str(-(-count // 4)), f"{1 / taken.seconds[count]:.3g}", times(taken.ratio(count, 3)),
+                     str(2 * -(-count // 4) if count > 3 else 1), f"{1 / taken.seconds[count]:.3g}", times(taken.ratio(count, 3)),
                      times(taken.ratio(("one", count), 3))])
     return table("4.2-2", "Frames per second of the real-time version by the number of samples, four a pass",
                  ["samples", "passes, the source", "frames a second", "time over 3", "passes, Metamer",
                   "frames a CPU second", "time over 3", "in one pass, over 3"], rows,
                  "metamer render deploy/source/scene.txtpb --backend gl --spp 1 --size 80x60 --method point --samples 400:700:1 "
                  "--point-lights samples --multi-pass -o picture.png --json",
-                 "One round alone. Metamer's passes are counted, not printed: `--multi-pass` draws four wavelengths a pass, so 301 take 76. "
+                 "One round alone. Metamer's passes are counted, not printed: `--multi-pass` draws four wavelengths of one of the two lights a pass, "
+                 "so 301 take 152. "
                  "The source counts the passes that add three textures up among its own; here each pass adds what it draws. "
                  "Both grow with the passes, since the scene is drawn anew for each. A pass here costs more than the source's beside a trichromatic "
                  "frame: it shades all that triangles cover, hidden or not, with shadows, and software does so in blocks of 4×4 "
