@@ -62,12 +62,15 @@ TracedPixels TracingProbe::trace(const v1::Plan& plan, PixelRun run,
   const std::uint32_t step = run.random ? 1 : tracer.block_pixels(), end = run.first + run.count;
   // The blocks of the pixels from k on, as many as a packet takes; the next k is behind them.
   std::vector<Tracer::BlockCorner> blocks;
+  std::vector<std::uint32_t> places;  // of each block its pixel at k
   const auto gather = [&](std::uint32_t& k) {
     blocks.clear();
+    places.clear();
     for (; k < end && blocks.size() < group_count; k += step) {
       const Place at = run.random ? random_place(k, plan) : even_place(k, plan);
-      blocks.push_back({at.x / tracer.block_width() * tracer.block_width(),
-                        at.y / tracer.block_height() * tracer.block_height()});
+      const std::uint32_t across = at.x % tracer.block_width(), down = at.y % tracer.block_height();
+      blocks.push_back({at.x - across, at.y - down});
+      places.push_back(down * tracer.block_width() + across);
     }
     tracer.gather_blocks(blocks, workspace);
   };
@@ -79,19 +82,24 @@ TracedPixels TracingProbe::trace(const v1::Plan& plan, PixelRun run,
     first_round = thread_seconds() - start;
   }
   workspace.rays = {};
+  std::size_t traced = 0;
   const double start = thread_seconds();
   for (std::uint32_t k = run.first; k < end && !stopped;) {
     gather(k);
     for (std::uint32_t i = 0; i < blocks.size() * tracer.block_pixels(); ++i) {
       const auto [x, y] = blocks[i / tracer.block_pixels()];
       const std::uint32_t pixel = i % tracer.block_pixels();
-      if (x + pixel % tracer.block_width() < plan.width() &&
-          y + pixel / tracer.block_width() < plan.height())
+      if (x + pixel % tracer.block_width() >= plan.width() ||
+          y + pixel / tracer.block_width() >= plan.height())
+        continue;
+      ++traced;
+      // The others of a block were not drawn at random.
+      if (!run.random || pixel == places[i / tracer.block_pixels()])
         pixels.gathers.push_back(workspace.gathers[i]);
     }
     work += blocks.size();
   }
-  const auto count = static_cast<double>(std::max<std::size_t>(1, pixels.gathers.size()));
+  const auto count = static_cast<double>(std::max<std::size_t>(1, traced));
   pixels.seconds = std::min(first_round, thread_seconds() - start) / count;
   pixels.rays = static_cast<double>(workspace.rays.rays()) / count;
   return pixels;

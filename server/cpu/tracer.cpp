@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 #include "server/cpu/shared_source.h"
@@ -11,11 +12,16 @@
 namespace metamer::cpu {
 namespace {
 
-/// Pixels that share a group of lanes, by the samples of each: at most eight samples together.
+/// The fewest pixels whose samples fill groups of lanes, by the samples of each.
 std::pair<std::uint32_t, std::uint32_t> block_size(std::size_t spp) {
-  if (spp == 1) return {4, 2};
-  if (spp == 2) return {2, 2};
-  if (spp <= 4) return {2, 1};
+  switch (std::gcd(spp, std::size_t{group_size})) {
+    case 1:
+      return {4, 2};
+    case 2:
+      return {2, 2};
+    case 4:
+      return {2, 1};
+  }
   return {1, 1};
 }
 

@@ -18,10 +18,10 @@
 namespace metamer::cpu {
 
 /// Traces rays in packets, which Shading turns into weights; knows nothing of spectra. A packet's
-/// group of eight lanes belongs to one pixel, or, below eight samples, to a small block of pixels
-/// at a fixed place of the picture; what it makes of it does not depend on the other group. So the
-/// result depends on neither tiles nor threads nor the number of lanes. Immutable, shared by
-/// threads.
+/// group of eight lanes belongs to one pixel, or, where its samples fill no groups by themselves,
+/// to a small block of pixels at a fixed place of the picture; what it makes of it does not depend
+/// on the other group. So the result depends on neither tiles nor threads nor the number of lanes.
+/// Immutable, shared by threads.
 class Tracer {
  public:
   /// What is traced, from the scene's camera.
@@ -54,7 +54,7 @@ class Tracer {
   void render(const Rect& tile, PixelSink& sink, Workspace& workspace,
               const std::atomic<bool>& cancelled, std::atomic<std::uint64_t>& work) const;
 
-  /// Pixels that a group of lanes traces together; a block's corner lies on multiples of its sides.
+  /// Pixels that share groups of lanes; a block's corner lies on multiples of its sides.
   std::uint32_t block_width() const { return block_width_; }
   std::uint32_t block_height() const { return block_height_; }
   std::uint32_t block_pixels() const { return block_width_ * block_height_; }
@@ -89,7 +89,7 @@ class Tracer {
   std::uint32_t width_, height_;
   std::uint32_t seed_;
   bool is_sampled_;  ///< Some light is looked at by points or ways that are chosen.
-  std::uint32_t block_width_, block_height_;  ///< Pixels of a group below eight samples; else 1×1.
+  std::uint32_t block_width_, block_height_;  ///< Pixels whose samples fill groups.
   std::vector<Samples> samples_;              ///< Of one block.
   std::optional<Lens> lens_;                  ///< Of a camera that is no pinhole.
   Vectors eye_, corner_, across_,

@@ -46,8 +46,8 @@ class Probe {
   /// Builds what trace() and look() need, the first time; as Renderer::prepare.
   virtual bool prepare(const std::atomic<bool>& cancelled) = 0;
 
-  /// The pixels of the run, by the CPU's tracer; with few samples also those that share a packet
-  /// with them, of which an even run has as many fewer places. Stops early, with what it has, once
+  /// The pixels of the run, by the CPU's tracer; of an even run also those that share packets with
+  /// them, and it has as many fewer places. Stops early, with what it has, once
   /// `stopped`; `work` counts pixels.
   virtual TracedPixels trace(const v1::Plan& plan, PixelRun run, const std::atomic<bool>& stopped,
                              std::atomic<std::uint64_t>& work) const = 0;

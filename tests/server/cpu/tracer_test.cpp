@@ -4,6 +4,9 @@
 
 #include <cmath>
 
+#include "common/scene/settings.h"
+#include "server/plan/plan.h"
+#include "server/scene/camera_space.h"
 #include "tests/server/test_scene.h"
 
 namespace metamer {
@@ -36,6 +39,29 @@ TEST(Tracer, GivesTheSameBitsForEveryTileSize) {
     for (const char* size : {"8", "24", "64", "256"})
       EXPECT_EQ(test::render(booth(settings + " tile_size: " + size)).xyz, reference.xyz)
           << spp << " samples, tiles of " << size;
+  }
+}
+
+struct NoSink : PixelSink {
+  void take(std::uint32_t, std::uint32_t, const Gather&) override {}
+};
+
+TEST(Tracer, CameraRaysFillTheirPacketsWhateverTheSamplesOfAPixel) {
+  for (unsigned spp = 1; spp <= 20; ++spp) {
+    const std::string text = booth("width: 32 height: 16 spp: " + std::to_string(spp));
+    const RenderScene scene = to_camera_space(test::compile_text(text));
+    const v1::Plan plan =
+        make_plan(scene, with_defaults(test::parse_scene(text).settings()), {.threads = 1});
+    const std::atomic<bool> never = false;
+    std::atomic<std::uint64_t> work = 0;
+    const auto geometry = cpu::EmbreeScene::build(scene, never);
+    const cpu::Tracer tracer(scene, *geometry, plan);
+    auto workspace = tracer.make_workspace();
+    NoSink sink;
+    tracer.render({0, 0, 32, 16}, sink, workspace, never, work);
+    const RayCount camera = workspace.rays[RayKind::camera];
+    EXPECT_EQ(camera.rays, 32u * 16 * spp);
+    EXPECT_EQ(camera.rays, camera.packets * lane_count) << spp;
   }
 }
 
