@@ -13,6 +13,7 @@
 #include "server/service/ops/lifecycle.h"
 #include "server/service/ops/log.h"
 #include "server/service/ops/notify.h"
+#include "server/service/ops/option_checks.h"
 #include "server/service/ops/user_command.h"
 #include "server/service/service.h"
 

@@ -176,6 +176,12 @@ Ended metamer(std::vector<std::string> words, const ProcessOptions& options) {
   return run(std::move(words), options);
 }
 
+void expect_refused(const std::vector<std::string>& words, const std::string& message) {
+  const Ended ended = metamer(words);
+  EXPECT_EQ(ended.code, 2) << message;
+  EXPECT_NE(ended.err.find(message), std::string::npos) << ended.err;
+}
+
 OtherProcess::OtherProcess(pid_t pid) : fd_(pidfd_open(pid, 0)) {}
 
 OtherProcess::~OtherProcess() {

@@ -58,6 +58,8 @@ class Process {
 Ended run(std::vector<std::string> words, const ProcessOptions& options = {});
 /// `metamer` with these words.
 Ended metamer(std::vector<std::string> words, const ProcessOptions& options = {});
+/// That it ends with 2, and says this.
+void expect_refused(const std::vector<std::string>& words, const std::string& message);
 
 /// A process by its number, whoever started it.
 class OtherProcess {

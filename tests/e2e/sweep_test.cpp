@@ -108,9 +108,7 @@ TEST(SweepCommand, WhatCanNotBeIsSaidBeforeAnythingIsRendered) {
   for (const auto& [words, message] : wrong) {
     std::vector<std::string> all = {"sweep", scene};
     all.insert(all.end(), words.begin(), words.end());
-    const Ended ended = metamer(all);
-    EXPECT_EQ(ended.code, 2) << message;
-    EXPECT_NE(ended.err.find(message), std::string::npos) << ended.err;
+    expect_refused(all, message);
   }
 }
 

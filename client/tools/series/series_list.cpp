@@ -34,8 +34,11 @@ void count_job(const v1::JobSummary& job, ListedSeries& series) {
     case v1::FAILED:
       ++series.failed;
       break;
-    default:
+    case v1::CANCELLED:
       ++series.cancelled;
+      break;
+    default:  // of a newer server
+      break;
   }
   series.age = std::max(series.age, job.age());
   const bool says = job.state() == v1::RUNNING && !job.reason().empty();

@@ -23,8 +23,8 @@ struct Lane {
 inline constexpr Lane cpu_jobs{"cpu", v1::CPU, true, false, 10};
 inline constexpr Lane cpu_views{"cpu views", v1::CPU, false, true, 0};
 /// One device draws one thing after the other, so both have turns in one worker.
+inline constexpr Lane gl_lane{"gl", v1::GL, true, true, 0, std::uint64_t{1} << 30};
 /// The same without jobs, where a cluster draws these.
 inline constexpr Lane gl_views{"gl views", v1::GL, false, true, 0, std::uint64_t{1} << 30};
-inline constexpr Lane gl_lane{"gl", v1::GL, true, true, 0, std::uint64_t{1} << 30};
 
 }  // namespace metamer::service

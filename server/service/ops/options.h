@@ -1,7 +1,5 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
@@ -59,9 +57,6 @@ struct Section {
   std::string name;
   std::string meaning;
 };
-
-/// Octal digits; nothing: they are no mode that lets anybody connect.
-std::optional<mode_t> socket_mode_of(const std::string& text);
 
 /// The rows, those of one section together, in the order of the file.
 const std::vector<Option>& all_options();

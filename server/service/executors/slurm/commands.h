@@ -30,8 +30,7 @@ class SlurmCommands {
     bool unconfined = false;             ///< As metamerd has it.
     std::vector<std::string> arguments;  ///< More words for sbatch: "--partition=render".
     std::string gres = {};               ///< Of a task, as sbatch has it: "gpu:1"; empty: none.
-    std::string gl_device =
-        {};  ///< Where tasks draw by OpenGL, as a worker has it; empty: they don't.
+    std::string gl_device = {};          ///< As a worker has it, of GL's tasks; empty: of others.
   };
   /// `cancelled` ends whatever runs.
   SlurmCommands(Options options, const std::atomic<bool>& cancelled)
